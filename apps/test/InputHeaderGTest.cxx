@@ -129,7 +129,7 @@ std::vector<TPixel>
 ReadVoxels(const VolumeHeader & header)
 {
   std::vector<TPixel> voxels(header.geometry.GetNumberOfVoxels());
-  const std::uint64_t bytes = header.GetVoxelBytes();
+  const std::uint64_t bytes = header.GetDataSize();
   if (header.compressed)
   {
     OpenVoxelSource(header)->Read(0, voxels.data(), bytes);
@@ -209,14 +209,14 @@ ExpectReadOrRefused(const std::string & name, const std::string & text, size_t b
     try
     {
       const VolumeHeader header = ReadVolumeHeader(folder / name, std::nullopt);
-      ASSERT_LE(header.GetVoxelBytes(), std::uint64_t{ 4096 } * header.dataFileSize);
+      ASSERT_LE(header.GetDataSize(), std::uint64_t{ 4096 } * header.dataFileSize);
       for (const itk::MedialVoxelFileSegment & segment : header.segments)
       {
         ASSERT_LE(segment.offset + segment.numberOfBytes, header.dataFileSize);
       }
       if (header.compressed)
       {
-        std::vector<unsigned char> voxels(header.GetVoxelBytes());
+        std::vector<unsigned char> voxels(header.GetDataSize());
         OpenVoxelSource(header)->Read(0, voxels.data(), voxels.size());
       }
     }

@@ -236,7 +236,7 @@ TEST(OutputFile, RefusesAFolderThatCannotBeWritten)
 TEST(OutputFile, IsTheSamePastThePageCache)
 {
   const TemporaryFolder folder;
-  std::string           expected(600 * UncachedWriter::BlockBytes + 77, '\0');
+  std::string           expected(600 * UncachedWriter::BlockSize + 77, '\0');
   for (std::size_t i = 0; i < expected.size(); ++i)
   {
     expected[i] = static_cast<char>(i * 2654435761u >> 13);

@@ -277,15 +277,15 @@ TEST(Plan, EachEngineHasRoomInItsShare)
   itk::MedialVoxelLocalThickness thickness;
   thickness.maximumThickness = 100.0;
   footprint.engines.front().settings.task = thickness;
-  const auto getBytesOfEngines = [&] {
+  const auto getMemoryOfEngines = [&] {
     const JobPlan plan = MakePlan(options, header, {}, footprint);
     return plan.memory.planned - plan.memory.fixed - plan.GetResults(plan.GetSlicesAtOnce());
   };
-  const std::uint64_t one = getBytesOfEngines();
+  const std::uint64_t one = getMemoryOfEngines();
   // Shares are equal, so that a small engine takes as much as a large one.
   footprint.engines.emplace_back();
   footprint.engines.back().settings.task = itk::MedialVoxelDistanceMap{};
-  EXPECT_EQ(getBytesOfEngines(), 2 * one);
+  EXPECT_EQ(getMemoryOfEngines(), 2 * one);
 }
 
 TEST(Plan, WhatWaitsForItsPieceGetsAPartOfTheMemoryThatIsLeft)

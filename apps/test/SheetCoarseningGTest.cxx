@@ -146,7 +146,7 @@ TEST(SheetCoarsening, PartsMakeOneSurfaceWithFewerFaces)
   EXPECT_GT(rims, 100u);
 }
 
-TEST(SheetRemeshing, ThreadsDoNotChangeTheBytes)
+TEST(SheetRemeshing, ThreadsDoNotChangeTheMesh)
 {
   std::vector<Content> contents;
   for (const unsigned int threads : { 1u, 2u, 5u })

@@ -43,7 +43,7 @@ TEST(Text, ByteSizesTakeUnits)
   }
 }
 
-TEST(Text, BytesAreShortToRead)
+TEST(Text, SizesAreShortToRead)
 {
   EXPECT_EQ(FormatBytes(0), "0 B");
   EXPECT_EQ(FormatBytes(1023), "1023 B");

@@ -72,7 +72,7 @@ TEST(VolumeHeader, SameVolumeInBothFormats)
     EXPECT_EQ(header.geometry.spacing, (std::vector<double>{ 0.5, 0.5, 2.0 }));
     EXPECT_EQ(header.geometry.origin, (std::vector<double>{ 1, 2, 3 }));
     EXPECT_EQ(header.pixelType, PixelType::Int16);
-    EXPECT_EQ(header.GetVoxelBytes(), 48u);
+    EXPECT_EQ(header.GetDataSize(), 48u);
     EXPECT_EQ(header.dataOffset + 48, header.dataFileSize);
     EXPECT_FALSE(header.compressed);
     EXPECT_FALSE(header.bigEndian);
@@ -156,7 +156,7 @@ TEST(VolumeHeader, DamagedHeadersAreReadOrRefused)
     try
     {
       const VolumeHeader header = ReadVolumeHeader(folder / name, std::nullopt);
-      EXPECT_LE(header.GetVoxelBytes(), header.compressed ? 1032 * header.dataFileSize : header.dataFileSize) << text;
+      EXPECT_LE(header.GetDataSize(), header.compressed ? 1032 * header.dataFileSize : header.dataFileSize) << text;
       for (const double spacing : header.geometry.spacing)
       {
         EXPECT_GT(spacing, 0.0) << text;

@@ -56,7 +56,7 @@ TEST(ZarrCodecs, UnpackWhatTheyPacked)
       continue; // built without the library
     }
     ZarrUnpacker unpacker({ codec }, chunk.size());
-    unpacker.GetPacked().resize(unpacker.GetMostBytes());
+    unpacker.GetPacked().resize(unpacker.GetMaximumSize());
     const auto bytes =
       codec->pack({ chunk.data(), chunk.size() }, 2, unpacker.GetPacked().data(), unpacker.GetPacked().size());
     ASSERT_TRUE(bytes);

@@ -15,13 +15,13 @@ namespace medialvoxel
 namespace
 {
 
-constexpr std::uint64_t BlockBytes = 4096;
+constexpr std::uint64_t BlockSize = 4096;
 
 std::uint32_t
 GetChecksumOfZeros()
 {
-  constexpr std::array<Bytef, BlockBytes> zeros{};
-  return static_cast<std::uint32_t>(crc32(0, zeros.data(), BlockBytes));
+  constexpr std::array<Bytef, BlockSize> zeros{};
+  return static_cast<std::uint32_t>(crc32(0, zeros.data(), BlockSize));
 }
 
 } // namespace
@@ -35,10 +35,10 @@ Checksum::Add(const void * data, std::uint64_t numberOfBytes)
   itk::MedialVoxelPollCounter poll;
   while (numberOfBytes > 0)
   {
-    const std::uint64_t part = std::min(numberOfBytes, BlockBytes);
+    const std::uint64_t part = std::min(numberOfBytes, BlockSize);
     poll.Count(static_cast<std::uint32_t>(part / 64));
-    const bool isZeros = part == BlockBytes && IsAllZero(reinterpret_cast<const char *>(bytes), part);
-    m_Value = static_cast<std::uint32_t>(isZeros ? crc32_combine(m_Value, ofZeros, BlockBytes)
+    const bool isZeros = part == BlockSize && IsAllZero(reinterpret_cast<const char *>(bytes), part);
+    m_Value = static_cast<std::uint32_t>(isZeros ? crc32_combine(m_Value, ofZeros, BlockSize)
                                                  : crc32(m_Value, bytes, static_cast<uInt>(part)));
     bytes += part;
     numberOfBytes -= part;

@@ -46,14 +46,14 @@ GetCrc32c(std::string_view bytes)
 std::optional<std::string_view>
 CheckCrc32c(std::string_view bytesAndChecksum)
 {
-  constexpr std::size_t checksumBytes = 4;
-  if (bytesAndChecksum.size() < checksumBytes)
+  constexpr std::size_t checksumSize = 4;
+  if (bytesAndChecksum.size() < checksumSize)
   {
     return std::nullopt;
   }
-  const std::string_view bytes = bytesAndChecksum.substr(0, bytesAndChecksum.size() - checksumBytes);
+  const std::string_view bytes = bytesAndChecksum.substr(0, bytesAndChecksum.size() - checksumSize);
   std::uint32_t          stored = 0;
-  for (std::size_t i = checksumBytes; i > 0; --i)
+  for (std::size_t i = checksumSize; i > 0; --i)
   {
     stored = (stored << 8) | static_cast<unsigned char>(bytesAndChecksum[bytes.size() + i - 1]);
   }

@@ -28,7 +28,7 @@ WithoutQuotation(const std::string & message)
 } // namespace
 
 std::string
-ReadTextFile(const std::filesystem::path & fileName, std::uint64_t maximumBytes)
+ReadTextFile(const std::filesystem::path & fileName, std::uint64_t maximumSize)
 {
   std::error_code error;
   if (const auto status = std::filesystem::status(fileName, error);
@@ -44,22 +44,22 @@ ReadTextFile(const std::filesystem::path & fileName, std::uint64_t maximumBytes)
   }
   std::string       text;
   std::vector<char> buffer(std::size_t{ 1 } << 16);
-  while (text.size() <= maximumBytes && file)
+  while (text.size() <= maximumSize && file)
   {
     file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
     text.append(buffer.data(), static_cast<size_t>(file.gcount()));
   }
-  if (text.size() > maximumBytes)
+  if (text.size() > maximumSize)
   {
-    Fail(ExitStatus::CorruptInput, fileName.string(), " has more than the ", maximumBytes, " bytes allowed for it");
+    Fail(ExitStatus::CorruptInput, fileName.string(), " has more than the ", maximumSize, " bytes allowed for it");
   }
   return text;
 }
 
 nlohmann::json
-ReadJsonFile(const std::filesystem::path & fileName, std::uint64_t maximumBytes)
+ReadJsonFile(const std::filesystem::path & fileName, std::uint64_t maximumSize)
 {
-  const std::string text = ReadTextFile(fileName, maximumBytes);
+  const std::string text = ReadTextFile(fileName, maximumSize);
   try
   {
     constexpr std::uint64_t mostValues = 100000;

@@ -12,9 +12,9 @@ namespace
 
 /** The text cut to a number of bytes, but not within a character of UTF-8. */
 std::string
-CutText(const std::string & text, std::size_t maximumBytes)
+CutText(const std::string & text, std::size_t maximumSize)
 {
-  std::size_t size = std::min(text.size(), maximumBytes);
+  std::size_t size = std::min(text.size(), maximumSize);
   while (size > 0 && size < text.size() && (static_cast<unsigned char>(text[size]) & 0xc0u) == 0x80u)
   {
     --size;

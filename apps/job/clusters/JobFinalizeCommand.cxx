@@ -70,7 +70,7 @@ AddMarker(JobResult & job, const ClusterMarker & marker)
   job.seconds.inputOutput += marker.seconds.inputOutput;
   job.seconds.total += marker.seconds.total;
   job.bytesRead += marker.bytesRead;
-  job.peakMemoryBytes = std::max(job.peakMemoryBytes, marker.peakMemoryBytes);
+  job.peakMemory = std::max(job.peakMemory, marker.peakMemory);
   job.plan.memory.planned = std::max(job.plan.memory.planned, marker.plannedMemory);
   job.plan.memory.limit = std::max(job.plan.memory.limit, marker.memoryLimit);
   job.plan.threads = std::max(job.plan.threads, marker.threads);

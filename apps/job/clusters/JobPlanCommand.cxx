@@ -68,7 +68,7 @@ std::uint64_t
 ChooseSlicesOfCluster(const JobResult & job)
 {
   const JobPlan &     plan = job.plan;
-  const std::uint64_t bytes = (job.input.GetStored().GetVoxelBytes() + plan.disk) / plan.numberOfSlices;
+  const std::uint64_t bytes = (job.input.GetStored().GetDataSize() + plan.disk) / plan.numberOfSlices;
   const std::uint64_t most = plan.numberOfSlices / FewestClusters;
   if (most < plan.slabSlices)
   {

@@ -255,7 +255,7 @@ ClusterWorker::RecordCluster(std::uint64_t cluster, const ClusterMarker & marker
                     { "seconds", FormatFixed(marker.seconds.total, 3) },
                     { "recomputed_voxels", std::to_string(marker.sums.recomputedVoxels) },
                     { "bytes_read", std::to_string(marker.bytesRead) },
-                    { "peak_memory_bytes", std::to_string(marker.peakMemoryBytes) } } });
+                    { "peak_memory_bytes", std::to_string(marker.peakMemory) } } });
 }
 
 ClusterMarker
@@ -290,7 +290,7 @@ ClusterWorker::Compute(const SliceRange & range)
     m_Run.GetInput().GetSource().GetReadSeconds() - readBefore + m_Run.GetWriteSeconds() - writtenBefore;
   marker.seconds.total = SecondsSince(start);
   marker.bytesRead = m_Run.GetInput().GetSource().GetNumberOfBytesRead() - bytesBefore;
-  marker.peakMemoryBytes = GetPeakMemoryBytes();
+  marker.peakMemory = GetPeakMemory();
   marker.plannedMemory = m_Job.result.plan.memory.planned;
   marker.memoryLimit = m_Job.result.plan.memory.limit;
   marker.threads = m_Job.result.plan.threads;

@@ -135,17 +135,17 @@ ReadImage(const gdcm::Image &       image,
           void *                    voxels)
 {
   std::vector<char> stored(image.GetBufferLength());
-  const std::size_t storedBytes = image.GetPixelFormat().GetPixelSize();
-  if (stored.size() != numberOfVoxels * storedBytes)
+  const std::size_t storedSize = image.GetPixelFormat().GetPixelSize();
+  if (stored.size() != numberOfVoxels * storedSize)
   {
     throw std::runtime_error("it has " + std::to_string(stored.size()) + " bytes of voxels; its size needs " +
-                             std::to_string(numberOfVoxels * storedBytes));
+                             std::to_string(numberOfVoxels * storedSize));
   }
   if (!image.GetBuffer(stored.data()))
   {
     throw std::runtime_error("its voxels are damaged or end early, or their compression is unknown to GDCM");
   }
-  RestoreStoredBits(stored, format, storedBytes);
+  RestoreStoredBits(stored, format, storedSize);
   Rescale(stored, rescaler, voxels);
 }
 

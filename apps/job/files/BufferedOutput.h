@@ -90,10 +90,10 @@ private:
   void
   Flush();
 
-  static constexpr size_t BufferBytes = size_t{ 1 } << 20;
+  static constexpr size_t BufferSize = size_t{ 1 } << 20;
 
   OutputFile &      m_File;
-  std::vector<char> m_Buffer = std::vector<char>(BufferBytes);
+  std::vector<char> m_Buffer = std::vector<char>(BufferSize);
   size_t            m_Used{ 0 };
   std::uint64_t     m_Offset{ 0 };
 };

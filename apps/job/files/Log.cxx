@@ -16,7 +16,7 @@ namespace medialvoxel
 namespace
 {
 
-constexpr size_t BytesOfTime = 24; // 2026-11-22T01:02:03.456Z
+constexpr size_t TimeLength = 24; // 2026-11-22T01:02:03.456Z
 
 /** Compares with the shape of the time that a line begins with. */
 bool
@@ -43,7 +43,7 @@ TakesLines(const SystemFile & file)
   {
     return true;
   }
-  std::string begin(BytesOfTime, '\0');
+  std::string begin(TimeLength, '\0');
   return file.ReadAt(0, begin.data(), begin.size()) && BeginsWithTime(begin);
 }
 

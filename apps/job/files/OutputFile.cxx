@@ -18,7 +18,7 @@ namespace medialvoxel
 namespace
 {
 
-constexpr std::uint64_t SparseBlockBytes = std::uint64_t{ 1 } << 16;
+constexpr std::uint64_t SparseBlockSize = std::uint64_t{ 1 } << 16;
 
 } // namespace
 
@@ -177,7 +177,7 @@ OutputFile::OpenExisting(const std::filesystem::path & name, std::uint64_t numbe
 void
 OutputFile::Sync()
 {
-  if (!m_File.SyncBytes() || !this->SyncUncached())
+  if (!m_File.SyncData() || !this->SyncUncached())
   {
     FailWithErrno(ExitStatus::Failure, "bring to the disk", m_FileName);
   }
@@ -228,7 +228,7 @@ OutputFile::BypassPageCache()
 void
 OutputFile::WriteAt(std::uint64_t offset, const void * data, std::uint64_t numberOfBytes)
 {
-  constexpr std::uint64_t block = UncachedWriter::BlockBytes;
+  constexpr std::uint64_t block = UncachedWriter::BlockSize;
   const auto * const      bytes = static_cast<const char *>(data);
   const std::uint64_t     head = std::min(numberOfBytes, (block - offset % block) % block);
   const std::uint64_t     blocks = (numberOfBytes - head) / block * block;
@@ -277,7 +277,7 @@ OutputFile::WriteSparseAt(std::uint64_t offset, const void * data, std::uint64_t
   std::uint64_t begin = 0;
   while (begin < numberOfBytes)
   {
-    const std::uint64_t toBlockEnd = SparseBlockBytes - (offset + begin) % SparseBlockBytes;
+    const std::uint64_t toBlockEnd = SparseBlockSize - (offset + begin) % SparseBlockSize;
     const std::uint64_t count = std::min(numberOfBytes - begin, toBlockEnd);
     if (!IsAllZero(bytes + begin, count))
     {

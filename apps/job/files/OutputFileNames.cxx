@@ -18,7 +18,7 @@ namespace medialvoxel
 namespace
 {
 
-constexpr std::uint64_t CopiedBytes = std::uint64_t{ 1 } << 20;
+constexpr std::uint64_t BlockSize = std::uint64_t{ 1 } << 20;
 
 } // namespace
 
@@ -51,10 +51,10 @@ OutputFile::CopyToTemporaryName()
   m_IsNameless = false;
   this->OpenUnder(this->GetNameMaker());
   this->SetSize(m_Size, false);
-  std::vector<char> buffer(CopiedBytes);
-  for (std::uint64_t begin = 0; begin < m_Size; begin += CopiedBytes)
+  std::vector<char> buffer(BlockSize);
+  for (std::uint64_t begin = 0; begin < m_Size; begin += BlockSize)
   {
-    const std::uint64_t count = std::min(CopiedBytes, m_Size - begin);
+    const std::uint64_t count = std::min(BlockSize, m_Size - begin);
     source.ReadAt(begin, buffer.data(), count);
     this->WriteSparseAt(begin, buffer.data(), count);
   }

@@ -18,7 +18,7 @@ namespace
 constexpr const char * SealName = "checksum";
 
 /** Far above any file of a job, so that no other file fills the memory. */
-constexpr std::uint64_t MostBytes = std::uint64_t{ 1 } << 26;
+constexpr std::uint64_t MaximumSize = std::uint64_t{ 1 } << 26;
 
 std::uint32_t
 GetSeal(const Json & object)
@@ -86,7 +86,7 @@ ReadSealed(const std::filesystem::path & fileName)
   {
     return std::nullopt;
   }
-  if (std::optional<Json> object = Unseal(ReadTextFile(fileName, MostBytes)))
+  if (std::optional<Json> object = Unseal(ReadTextFile(fileName, MaximumSize)))
   {
     return object;
   }

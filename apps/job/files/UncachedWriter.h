@@ -22,7 +22,7 @@ class UncachedWriter
 {
 public:
   /** Positions and lengths are multiples of it. */
-  static constexpr std::uint64_t BlockBytes = 4096;
+  static constexpr std::uint64_t BlockSize = 4096;
 
   /** Opens an existing file. */
   explicit UncachedWriter(const std::filesystem::path & fileName);

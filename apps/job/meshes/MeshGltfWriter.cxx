@@ -24,8 +24,8 @@ constexpr std::uint32_t Magic = 0x46546c67;
 constexpr std::uint32_t FormatVersion = 2;
 constexpr std::uint32_t JsonChunk = 0x4e4f534a;
 constexpr std::uint32_t BinaryChunk = 0x004e4942;
-constexpr std::uint32_t HeaderBytes = 12;
-constexpr std::uint32_t ChunkHeaderBytes = 8;
+constexpr std::uint32_t HeaderSize = 12;
+constexpr std::uint32_t ChunkHeaderSize = 8;
 constexpr int           UnsignedByte = 5121;
 constexpr int           UnsignedInt = 5125;
 constexpr int           Float = 5126;
@@ -239,10 +239,10 @@ WriteMeshGltf(MeshReader & reader, const MeshWriteOptions & options, BufferedOut
              { "extras", { { "thickness_color_range", { colors.low, colors.high } }, { "unit", options.unit } } } };
   }
   const std::string   text = description.Finish(mesh);
-  const std::uint64_t binary = description.GetBytes() > 0 ? ChunkHeaderBytes + description.GetBytes() : 0;
+  const std::uint64_t binary = description.GetBytes() > 0 ? ChunkHeaderSize + description.GetBytes() : 0;
   output.LittleEndian(Magic);
   output.LittleEndian(FormatVersion);
-  output.LittleEndian(static_cast<std::uint32_t>(HeaderBytes + ChunkHeaderBytes + text.size() + binary));
+  output.LittleEndian(static_cast<std::uint32_t>(HeaderSize + ChunkHeaderSize + text.size() + binary));
   output.LittleEndian(static_cast<std::uint32_t>(text.size()));
   output.LittleEndian(JsonChunk);
   output.Text(text);

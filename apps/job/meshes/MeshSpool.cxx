@@ -34,8 +34,8 @@ struct FaceMarks
   bool         isCap;
 };
 
-static_assert(MeshSpool::BytesPerVertex == sizeof(MeshSpool::Vertex));
-static_assert(MeshSpool::BytesPerFace == 2 * sizeof(Corners) + sizeof(FaceMarks));
+static_assert(MeshSpool::VertexSize == sizeof(MeshSpool::Vertex));
+static_assert(MeshSpool::FaceSize == 2 * sizeof(Corners) + sizeof(FaceMarks));
 
 MeshSpool::Vertex
 Pack(const MeshVertex & vertex, MeshPrecision precision)
@@ -178,7 +178,7 @@ MeshSpool::ReadVertices(std::uint64_t first, std::uint64_t count, std::vector<Ve
   if (!m_HoldsFloats)
   {
     vertices.resize(count);
-    m_VertexFile.ReadAt(first * BytesPerVertex, vertices.data(), count * BytesPerVertex);
+    m_VertexFile.ReadAt(first * VertexSize, vertices.data(), count * VertexSize);
     return;
   }
   const auto records = ReadRecords<RoundedVertex>(m_VertexFile, first, count);

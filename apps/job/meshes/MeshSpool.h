@@ -38,8 +38,8 @@ class MeshSpool : public MeshSink
 {
 public:
   /** In the scratch files, at most. */
-  static constexpr std::uint64_t BytesPerVertex = 32;
-  static constexpr std::uint64_t BytesPerFace = 40;
+  static constexpr std::uint64_t VertexSize = 32;
+  static constexpr std::uint64_t FaceSize = 40;
 
   /** Numbers of a vertex as files have them. */
   struct Vertex

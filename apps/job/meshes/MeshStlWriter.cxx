@@ -11,7 +11,7 @@ namespace medialvoxel
 namespace
 {
 
-constexpr size_t HeaderBytes = 80;
+constexpr size_t HeaderSize = 80;
 
 using Position = std::array<float, 3>;
 
@@ -62,7 +62,7 @@ WriteMeshStl(MeshReader & reader, const MeshWriteOptions & options, BufferedOutp
   reader.SetNumberOfPasses(0, 1);
   // Readers take a header that begins with "solid" for a text file.
   std::string header = GetTitle(options);
-  header.resize(HeaderBytes, ' ');
+  header.resize(HeaderSize, ' ');
   output.Text(header);
   const MeshSpool & surface = reader.GetMesh();
   output.LittleEndian(static_cast<std::uint32_t>(surface.GetNumberOfTriangles() + 2 * surface.GetNumberOfQuads()));

@@ -20,7 +20,7 @@ using Index = itk::MedialVoxelSheet::Index;
 using Check = std::function<void()>;
 
 /** What readers and the lattice of parts hold. */
-constexpr std::uint64_t BytesBeside = std::uint64_t{ 40 } << 20;
+constexpr std::uint64_t BaseMemory = std::uint64_t{ 40 } << 20;
 
 std::function<void(double)>
 ToProgress(const Check & check)
@@ -247,7 +247,7 @@ std::uint64_t
 SheetCoarsening::GetBytes(const unsigned int threads)
 {
   // A part, and results of others that wait, which take a sixth of it each at most.
-  return BytesBeside + threads * 2 * MostFaces * itk::MedialVoxelRemeshingBytesPerTriangle() * 4 / 3;
+  return BaseMemory + threads * 2 * MostFaces * itk::MedialVoxelRemeshingBytesPerTriangle() * 4 / 3;
 }
 
 } // end namespace medialvoxel

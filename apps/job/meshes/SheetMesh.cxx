@@ -262,7 +262,7 @@ SheetMesh::GetFootprint(const ExtractOptions &       options,
   const std::uint64_t spools = isRemeshed ? 3 : cleaning.IsOn() || options.labels ? 2 : 1;
   const std::uint64_t sorting = options.labels || isRemeshed ? SortedVertexSize : 0;
   footprint.scratch = { cleaning.scratchFolder,
-                        vertices * (spools * (MeshSpool::BytesPerVertex + MeshSpool::BytesPerFace) + sorting) };
+                        vertices * (spools * (MeshSpool::VertexSize + MeshSpool::FaceSize) + sorting) };
   return footprint;
 }
 

@@ -22,7 +22,7 @@ VertexValues::VertexValues(const std::filesystem::path & folder, std::string nam
 void
 VertexValues::Add(const std::vector<float> & numbers)
 {
-  m_File.WriteAt(m_Size * BytesPerVertex, numbers.data(), numbers.size() * BytesPerVertex);
+  m_File.WriteAt(m_Size * VertexSize, numbers.data(), numbers.size() * VertexSize);
   m_Size += numbers.size();
 }
 
@@ -30,7 +30,7 @@ void
 VertexValues::Read(std::uint64_t first, std::uint64_t count, std::vector<float> & numbers) const
 {
   numbers.resize(count);
-  m_File.ReadAt(first * BytesPerVertex, numbers.data(), count * BytesPerVertex);
+  m_File.ReadAt(first * VertexSize, numbers.data(), count * VertexSize);
 }
 
 float

@@ -19,7 +19,7 @@ class VertexValues
 {
 public:
   /** In the scratch file. */
-  static constexpr std::uint64_t BytesPerVertex = sizeof(float);
+  static constexpr std::uint64_t VertexSize = sizeof(float);
 
   /** \param folder as of MeshSpool \param name in files: small letters and underscores
    * \throw JobError Refused when the folder is missing or cannot be written. */

@@ -54,7 +54,7 @@ struct JobResult
   Json                                     part;        ///< its surface, when that was asked for
   std::vector<Warning>                     warnings;
   JobSeconds                               seconds;
-  std::uint64_t                            peakMemoryBytes{ 0 }; ///< of the process
+  std::uint64_t                            peakMemory{ 0 }; ///< of the process
   std::uint64_t                            bytesRead{ 0 };
   Json                                     report; ///< all of it that is shown, at the end of the job
 };

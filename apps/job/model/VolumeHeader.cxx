@@ -74,7 +74,7 @@ GetNeededFileSizes(const VolumeHeader & header)
 {
   if (header.segments.empty())
   {
-    return { { header.dataFile, header.dataOffset + header.GetVoxelBytes() } };
+    return { { header.dataFile, header.dataOffset + header.GetDataSize() } };
   }
   std::map<std::filesystem::path, std::uint64_t> sizes;
   for (const itk::MedialVoxelFileSegment & segment : header.segments)

@@ -73,7 +73,7 @@ struct RawDescription
   std::vector<std::uint64_t> size;
   PixelType                  pixelType{ PixelType::UInt8 };
   std::vector<double>        spacing; ///< empty: 1 along each axis
-  std::uint64_t              headerBytes{ 0 };
+  std::uint64_t              headerSize{ 0 };
   bool                       bigEndian{ false };
 };
 
@@ -136,7 +136,7 @@ struct VolumeHeader
 
   /** Memory that reading takes beside voxels and a few MiB: the largest strip of a compressed TIFF, a row of its tiles.
    */
-  std::uint64_t unpackBytes{ 0 };
+  std::uint64_t decoderMemory{ 0 };
 
   std::optional<VolumeChunks> chunks; ///< of volumes that are stored so
 
@@ -164,7 +164,7 @@ struct VolumeHeader
   }
 
   std::uint64_t
-  GetVoxelBytes() const
+  GetDataSize() const
   {
     return geometry.GetNumberOfVoxels() * GetTraits(pixelType).bytes;
   }

@@ -279,8 +279,8 @@ AddRaw(std::vector<OptionRow> & rows)
   AddRow(rows,
          "--raw-header",
          "BYTES",
-         OfRaw([](RawDescription & raw, const std::string & text) { raw.headerBytes = ToCount(text, 0, LargestCount); },
-               [](const RawDescription & raw) { return std::optional<std::string>(std::to_string(raw.headerBytes)); }))
+         OfRaw([](RawDescription & raw, const std::string & text) { raw.headerSize = ToCount(text, 0, LargestCount); },
+               [](const RawDescription & raw) { return std::optional<std::string>(std::to_string(raw.headerSize)); }))
     .OfJobs(Volumes, group)
     .Help("Bytes before the first voxel (default 0)")
     .Requires("--raw-size");

@@ -280,7 +280,7 @@ PartSurface::GetFootprint(const PartOptions & options, const VolumeHeader & head
                      itk::MedialVoxelIsosurface::GetBytes(size) + perSlice * sizeof(float) + gray +
                      static_cast<std::uint64_t>(GetHalo(options, header) + 1) * bits + WritingMemory;
   const std::uint64_t perVertex =
-    MeshSpool::BytesPerVertex + 2 * MeshSpool::BytesPerFace + (options.measuresRays ? VertexValues::BytesPerVertex : 0);
+    MeshSpool::VertexSize + 2 * MeshSpool::FaceSize + (options.measuresRays ? VertexValues::VertexSize : 0);
   footprint.scratch = { GetScratchFolder(options, options.output),
                         header.geometry.GetNumberOfVoxels() / VoxelsPerVertex * perVertex };
   return footprint;

@@ -37,7 +37,7 @@ ForEachNumber(Json & json, TMarker & marker, TUse && use)
   use(json["seconds"], "input_output", marker.seconds.inputOutput);
   use(json["seconds"], "total", marker.seconds.total);
   use(json, "bytes_read", marker.bytesRead);
-  use(json, "peak_memory_bytes", marker.peakMemoryBytes);
+  use(json, "peak_memory_bytes", marker.peakMemory);
   use(json, "planned_peak_bytes", marker.plannedMemory);
   use(json, "memory_limit_bytes", marker.memoryLimit);
   use(json, "threads", marker.threads);

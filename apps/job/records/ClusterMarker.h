@@ -23,7 +23,7 @@ struct ClusterMarker
   itk::MedialVoxelSums                 sums;
   JobSeconds                           seconds;
   std::uint64_t                        bytesRead{ 0 };
-  std::uint64_t                        peakMemoryBytes{ 0 };
+  std::uint64_t                        peakMemory{ 0 };
   std::uint64_t                        plannedMemory{ 0 };
   std::uint64_t                        memoryLimit{ 0 };
   unsigned int                         threads{ 0 };

@@ -26,7 +26,7 @@ public:
   using ObjectNumber = itk::MedialVoxelObjectNumber;
 
   /** Bytes of an object with walls of up to 16 voxels. */
-  static constexpr std::uint64_t BytesPerObject = std::uint64_t{ 1 } << 15;
+  static constexpr std::uint64_t MemoryPerObject = std::uint64_t{ 1 } << 15;
 
   /** \param survey sees the same tiles, and says which cells are measured
    * \param piece the objects of the cells that are at hand; both must outlive it */

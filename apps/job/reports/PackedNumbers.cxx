@@ -68,14 +68,14 @@ RefuseSaved()
   throw JobError(ExitStatus::Failure, "a part of the survey is damaged or of another job");
 }
 
-NumberReader::NumberReader(const std::string & packed, std::uint64_t mostBytes)
+NumberReader::NumberReader(const std::string & packed, std::uint64_t maximumSize)
 {
   std::uint64_t size = 0;
   for (unsigned int i = 0; i < 8 && packed.size() > 8; ++i)
   {
     size |= std::uint64_t{ static_cast<std::uint8_t>(packed[i]) } << (8 * i);
   }
-  if (size == 0 || size > mostBytes || size > MostRatio * packed.size())
+  if (size == 0 || size > maximumSize || size > MostRatio * packed.size())
   {
     RefuseSaved();
   }

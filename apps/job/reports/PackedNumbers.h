@@ -72,8 +72,8 @@ private:
 class NumberReader
 {
 public:
-  /** \param mostBytes more than that are not unpacked */
-  NumberReader(const std::string & packed, std::uint64_t mostBytes);
+  /** \param maximumSize more than that are not unpacked */
+  NumberReader(const std::string & packed, std::uint64_t maximumSize);
 
   std::uint64_t
   Get();

@@ -142,13 +142,13 @@ Canvas::EncodePng() const
 {
   constexpr std::string_view signature{ "\x89PNG\r\n\x1A\n" };
   constexpr std::string_view format{ "\x08\x02\0\0\0", 5 }; // eight bits of red, green, blue
-  const std::size_t          rowBytes = std::size_t{ 3 } * m_Width;
+  const std::size_t          rowSize = std::size_t{ 3 } * m_Width;
   std::string                rows;
-  rows.reserve((rowBytes + 1) * m_Height);
+  rows.reserve((rowSize + 1) * m_Height);
   for (std::size_t y = 0; y < m_Height; ++y)
   {
     rows += '\0'; // no filter
-    rows.append(reinterpret_cast<const char *>(m_Pixels.data() + y * rowBytes), rowBytes);
+    rows.append(reinterpret_cast<const char *>(m_Pixels.data() + y * rowSize), rowSize);
   }
   return std::string(signature) + MakeChunk("IHDR", ToBytes(m_Width) + ToBytes(m_Height) + std::string(format)) +
          MakeChunk("IDAT", Compress(rows)) + MakeChunk("IEND", "");

@@ -24,7 +24,7 @@ MakeInput(const VolumeHeader & header)
            { "size", stored.geometry.size },
            { "spacing", stored.geometry.spacing },
            { "unit", stored.geometry.inMillimeters ? Json("mm") : Json(nullptr) },
-           { "bytes", stored.GetVoxelBytes() } };
+           { "bytes", stored.GetDataSize() } };
 }
 
 Json
@@ -134,7 +134,7 @@ AddRun(Json & report, const JobResult & result)
   {
     report["seconds"]["remeshing"] = result.seconds.remeshing;
   }
-  report["peak_memory_bytes"] = result.peakMemoryBytes;
+  report["peak_memory_bytes"] = result.peakMemory;
   report["planned_peak_bytes"] = result.plan.memory.planned;
   report["memory_limit_bytes"] = result.plan.memory.limit;
   report["bytes_read"] = result.bytesRead;

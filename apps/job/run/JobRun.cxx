@@ -98,7 +98,7 @@ JobRun::AddTo(Footprint & footprint, const Job & job)
   if (walls->labels)
   {
     footprint.perVoxelOfUnion = itk::MedialVoxelObjectUnion::BytesPerVoxel;
-    footprint.beside += LabelMapRun::GetPlannedBytes(*walls->labels) +
+    footprint.beside += LabelMapRun::GetPlannedMemory(*walls->labels) +
                         itk::MedialVoxelObjectAdjacency::GetBytes(
                           footprint.grid.GetSize(), GetParameters(*walls, footprint.grid).maximumPoreSize);
   }
@@ -136,7 +136,7 @@ void
 JobRun::ReserveForObjects()
 {
   JobPlan &           plan = m_Job.result.plan;
-  const std::uint64_t bytes = LabelMapRun::GetUnplannedBytes(*m_Walls->labels, m_Objects->GetNumberOfObjects());
+  const std::uint64_t bytes = LabelMapRun::GetUnplannedMemory(*m_Walls->labels, m_Objects->GetNumberOfObjects());
   if (bytes > plan.memory.limit - std::min(plan.memory.limit, plan.memory.planned))
   {
     Fail(ExitStatus::Refused,

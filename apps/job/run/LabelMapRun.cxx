@@ -25,17 +25,17 @@ LabelMapRun::LabelMapRun(itk::MedialVoxelObjectMap & map,
 {}
 
 std::uint64_t
-LabelMapRun::GetPlannedBytes(const LabelSelection & selection)
+LabelMapRun::GetPlannedMemory(const LabelSelection & selection)
 {
-  return ObjectSurvey::BytesPerObject *
+  return ObjectSurvey::MemoryPerObject *
          (selection.all ? PlannedObjects : selection.values.size() + selection.names.size());
 }
 
 std::uint64_t
-LabelMapRun::GetUnplannedBytes(const LabelSelection & selection, std::size_t numberOfObjects)
+LabelMapRun::GetUnplannedMemory(const LabelSelection & selection, std::size_t numberOfObjects)
 {
-  const std::uint64_t bytes = ObjectSurvey::BytesPerObject * numberOfObjects;
-  return bytes - std::min(bytes, GetPlannedBytes(selection));
+  const std::uint64_t bytes = ObjectSurvey::MemoryPerObject * numberOfObjects;
+  return bytes - std::min(bytes, GetPlannedMemory(selection));
 }
 
 void

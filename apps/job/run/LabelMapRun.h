@@ -31,11 +31,11 @@ public:
 
   /** Memory that is planned for objects before the map is read. */
   static std::uint64_t
-  GetPlannedBytes(const LabelSelection & selection);
+  GetPlannedMemory(const LabelSelection & selection);
 
   /** What they take beyond that when their number is known. */
   static std::uint64_t
-  GetUnplannedBytes(const LabelSelection & selection, std::size_t numberOfObjects);
+  GetUnplannedMemory(const LabelSelection & selection, std::size_t numberOfObjects);
 
   /** To be added to the engine. */
   itk::MedialVoxelTileObserver &

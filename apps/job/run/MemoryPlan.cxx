@@ -80,13 +80,13 @@ EstimateFixedMemory(const JobPlan & plan, const Request & request)
   const std::uint64_t  bytesPerVoxel = GetTraits(header.GetValueType()).bytes;
   const std::uint64_t  voxels = header.geometry.GetNumberOfVoxels();
   const std::uint64_t  pull = InputVolume::IsReadInParallel(header)
-                                ? plan.threads * InputVolume::BytesPerPart
+                                ? plan.threads * InputVolume::SpanSize
                                 : std::max(LeastPull, header.geometry.GetVoxelsPerSlice() * bytesPerVoxel);
   const std::uint64_t  reading =
     header.GetStored().chunks ? EstimateChunks(plan, header) : std::min(pull, voxels * bytesPerVoxel);
   const VolumeInput & input = header.format->input;
   const std::uint64_t decoding = input.getMemory ? input.getMemory(header.GetStored(), plan.threads) : 0;
-  const std::uint64_t unpacking = header.unpackBytes + (header.compressed ? UnpackingMemory : 0);
+  const std::uint64_t unpacking = header.decoderMemory + (header.compressed ? UnpackingMemory : 0);
   const std::uint64_t resampling = header.stored ? EstimateResampling(header) : 0;
   const std::uint64_t unpacked = plan.scratchFolder.empty() ? plan.memory.unpacked : 0;
   const std::uint64_t writing = plan.writesBehind ? WritingMemory : 0;
@@ -357,7 +357,7 @@ FitToMemory(const JobOptions & options, const VolumeHeader & header, const Footp
   plan.threads = options.threads.value_or(itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
   plan.numberOfSlices = header.geometry.size.back();
   plan.numberOfEngines = footprint.engines.size();
-  plan.memory.unpacked = header.compressed ? header.GetStored().GetVoxelBytes() : 0;
+  plan.memory.unpacked = header.compressed ? header.GetStored().GetDataSize() : 0;
   plan.memory.limit = std::min(wanted, GetRestOfLimits());
   const bool fits = TryScratch(plan, request) || (!options.threads && TryFewerThreads(plan, request));
   if (!fits)

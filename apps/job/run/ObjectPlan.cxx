@@ -60,7 +60,7 @@ DescribeObjects(const JobOptions & options, const VolumeHeader & header, const R
     { "passes", std::to_string(map.GetNumberOfPasses()) + " for extract --labels all" },
     { "labels", DescribeReadingOfLabels(map, plan, header) },
     { "memory",
-      "about " + FormatBytes(plan.memory.planned + LabelMapRun::GetUnplannedBytes(*own.labels, labels.size())) +
+      "about " + FormatBytes(plan.memory.planned + LabelMapRun::GetUnplannedMemory(*own.labels, labels.size())) +
         " with " + std::to_string(plan.threads) + " threads" },
   };
 }

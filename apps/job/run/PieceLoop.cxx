@@ -245,7 +245,7 @@ PieceLoop::RecordPiece(const PieceEngine & engine,
                     { "seconds", FormatFixed(seconds, 3) },
                     { "recomputed_voxels", std::to_string(recomputedVoxels) },
                     { "bytes_read", std::to_string(m_Input->GetSource().GetNumberOfBytesRead()) },
-                    { "peak_memory_bytes", std::to_string(GetPeakMemoryBytes()) } } });
+                    { "peak_memory_bytes", std::to_string(GetPeakMemory()) } } });
 }
 
 void

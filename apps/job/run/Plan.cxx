@@ -19,9 +19,9 @@ namespace
 {
 
 std::uint64_t
-GetOutputBytes(const VolumeHeader & header, const OutputRequest & output)
+GetOutputSize(const VolumeHeader & header, const OutputRequest & output)
 {
-  return output.layout ? GetOutputBytes(output.fileName, header.geometry, *output.layout) : 0;
+  return output.layout ? GetOutputSize(output.fileName, header.geometry, *output.layout) : 0;
 }
 
 /** True for outputs whose space is taken from the disk before the start. */
@@ -42,7 +42,7 @@ RefuseLackOfSpace(const JobOptions &                 options,
   std::vector<ScratchSpace> files;
   for (const OutputRequest & output : outputs)
   {
-    const std::uint64_t bytes = IsReserved(options, output) ? GetOutputBytes(header, output) : 0;
+    const std::uint64_t bytes = IsReserved(options, output) ? GetOutputSize(header, output) : 0;
     files.push_back({ FolderOf(output.fileName), bytes });
   }
   bool hasScratch = false;
@@ -96,7 +96,7 @@ MakePlan(const JobOptions &                 options,
 
   for (const OutputRequest & output : outputs)
   {
-    plan.disk += GetOutputBytes(header, output);
+    plan.disk += GetOutputSize(header, output);
   }
   RefuseLackOfSpace(options, header, outputs, plan);
   return plan;

@@ -25,7 +25,7 @@ RecordCosts(JobResult & result, const InputVolume & input, double writeSeconds, 
   result.seconds.inputOutput = input.GetSource().GetReadSeconds() + writeSeconds - result.seconds.remeshing;
   result.seconds.total = SecondsSince(start);
   result.bytesRead = input.GetSource().GetNumberOfBytesRead();
-  result.peakMemoryBytes = GetPeakMemoryBytes();
+  result.peakMemory = GetPeakMemory();
 }
 
 void

@@ -137,7 +137,7 @@ GetFreeMemory(const std::filesystem::path & root)
 }
 
 std::uint64_t
-GetPeakMemoryBytes()
+GetPeakMemory()
 {
   return ReadKibibytes("/proc/self/status", "VmHWM:").value_or(0);
 }

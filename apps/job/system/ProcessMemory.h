@@ -23,7 +23,7 @@ GetFreeMemory(const std::filesystem::path & root = "/");
 
 /** Peak of the memory that the process kept resident; 0 where the system does not tell. */
 std::uint64_t
-GetPeakMemoryBytes();
+GetPeakMemory();
 
 /** Lets large blocks leave the process when they are freed, so that the peak is the one that was planned. */
 void

@@ -20,7 +20,7 @@ namespace
 {
 
 /** What is transferred at a time: a fraction of a second, after which the work can stop. */
-constexpr std::uint64_t BytesAtATime = std::uint64_t{ 1 } << 23;
+constexpr std::uint64_t BlockSize = std::uint64_t{ 1 } << 23;
 
 constexpr int Unopened = -1;
 
@@ -114,7 +114,7 @@ Transfer(std::uint64_t offset, TByte * data, std::uint64_t numberOfBytes, TCall 
     {
       itk::MedialVoxelPoll();
     }
-    const std::uint64_t wanted = std::min(numberOfBytes - done, BytesAtATime);
+    const std::uint64_t wanted = std::min(numberOfBytes - done, BlockSize);
     const ssize_t       count = call(data + done, wanted, static_cast<off_t>(offset + done));
     if (count > 0)
     {
@@ -331,7 +331,7 @@ SystemFile::Reserve(std::uint64_t numberOfBytes)
 }
 
 bool
-SystemFile::SyncBytes() const
+SystemFile::SyncData() const
 {
 #ifdef __APPLE__
   return this->Sync();

@@ -149,7 +149,7 @@ public:
 
   /** Brings the file to the disk, as far as reading its bytes takes it. */
   bool
-  SyncBytes() const;
+  SyncData() const;
 
   /** The same with its times. */
   bool

@@ -17,7 +17,7 @@ namespace
 {
 
 /** Of such a volume, the page cache would keep what is not needed soon, in place of what is. */
-constexpr std::uint64_t BytesOfLargeVolume = std::uint64_t{ 1 } << 29;
+constexpr std::uint64_t LargeVolumeSize = std::uint64_t{ 1 } << 29;
 
 } // namespace
 
@@ -167,8 +167,8 @@ OutputVolume::GetChecksum() const
 std::uint32_t
 OutputVolume::ReadChecksum(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels) const
 {
-  constexpr std::uint64_t bufferBytes = std::uint64_t{ 1 } << 20;
-  const std::uint64_t     voxelsAtOnce = bufferBytes / m_Layout.GetBytes();
+  constexpr std::uint64_t bufferSize = std::uint64_t{ 1 } << 20;
+  const std::uint64_t     voxelsAtOnce = bufferSize / m_Layout.GetBytes();
   std::vector<char>       buffer(voxelsAtOnce * m_Layout.GetBytes());
   Checksum                checksum;
   while (numberOfVoxels > 0)
@@ -187,7 +187,7 @@ void
 OutputVolume::BypassPageCacheWhenLarge()
 {
   OutputFile & file = this->GetVoxelFile();
-  if (!m_Sparse && file.GetSize() >= BytesOfLargeVolume)
+  if (!m_Sparse && file.GetSize() >= LargeVolumeSize)
   {
     file.BypassPageCache();
   }

@@ -21,7 +21,7 @@ constexpr int         FastestLevel = 1;
 constexpr int         MemoryLevel = 8;
 constexpr int         WindowBits = 15;
 constexpr int         Gzip = 16; // added to the bits of the window
-constexpr std::size_t BlockBytes = std::size_t{ 1 } << 16;
+constexpr std::size_t BlockSize = std::size_t{ 1 } << 16;
 
 } // namespace
 
@@ -30,7 +30,7 @@ struct PackedVolume::Deflater
   Deflater(OutputFile & outputFile, int windowBits, std::uint64_t begin)
     : file(outputFile)
     , offset(begin)
-    , packed(BlockBytes)
+    , packed(BlockSize)
   {
     if (deflateInit2(&stream, FastestLevel, Z_DEFLATED, windowBits, MemoryLevel, Z_DEFAULT_STRATEGY) != Z_OK)
     {
@@ -47,11 +47,11 @@ struct PackedVolume::Deflater
   {
     while (numberOfBytes > 0)
     {
-      const std::size_t count = std::min(numberOfBytes, BlockBytes - block.size());
+      const std::size_t count = std::min(numberOfBytes, BlockSize - block.size());
       block.insert(block.end(), data, data + count);
       data += count;
       numberOfBytes -= count;
-      if (block.size() == BlockBytes)
+      if (block.size() == BlockSize)
       {
         this->Deflate(Z_NO_FLUSH);
       }
@@ -88,7 +88,7 @@ struct PackedVolume::Inflater
   Inflater(const OutputFile & outputFile, std::uint64_t begin)
     : file(outputFile)
     , offset(begin)
-    , packed(BlockBytes)
+    , packed(BlockSize)
   {
     constexpr int anyHeader = 32;
     if (inflateInit2(&stream, WindowBits + anyHeader) != Z_OK)
@@ -123,7 +123,7 @@ struct PackedVolume::Inflater
   void
   SkipTo(std::uint64_t target)
   {
-    std::vector<Bytef> dropped(BlockBytes);
+    std::vector<Bytef> dropped(BlockSize);
     while (position < target)
     {
       this->Read(dropped.data(), std::min<std::uint64_t>(target - position, dropped.size()));
@@ -169,8 +169,8 @@ PackedVolume::Create(const VolumeGeometry & geometry, const VoxelLayout & layout
   m_Layout = layout;
   m_File.Create(0, false);
   const std::string header = m_Writer.makeHeader(m_Geometry, m_Layout, "", 0);
-  (m_Writer.packsHeader ? m_UnpackedHeader : m_HeaderBytes) = header.size();
-  m_Deflater = std::make_unique<Deflater>(m_File, m_Writer.packsAsZlib ? WindowBits : WindowBits + Gzip, m_HeaderBytes);
+  (m_Writer.packsHeader ? m_UnpackedHeader : m_HeaderSize) = header.size();
+  m_Deflater = std::make_unique<Deflater>(m_File, m_Writer.packsAsZlib ? WindowBits : WindowBits + Gzip, m_HeaderSize);
   if (m_Writer.packsHeader)
   {
     m_Deflater->Add(header.data(), header.size());
@@ -187,7 +187,7 @@ PackedVolume::Pack(const char * data, std::uint64_t numberOfBytes)
 void
 PackedVolume::PackZeros(std::uint64_t numberOfBytes)
 {
-  const std::vector<char> zeros(std::min<std::uint64_t>(numberOfBytes, BlockBytes));
+  const std::vector<char> zeros(std::min<std::uint64_t>(numberOfBytes, BlockSize));
   while (numberOfBytes > 0)
   {
     const std::uint64_t count = std::min<std::uint64_t>(numberOfBytes, zeros.size());
@@ -213,10 +213,10 @@ PackedVolume::Finish()
 {
   this->PackZeros(m_Geometry.GetNumberOfVoxels() * m_Layout.GetBytes() - m_NextByte);
   m_Deflater->Deflate(Z_FINISH);
-  if (m_HeaderBytes > 0)
+  if (m_HeaderSize > 0)
   {
-    const std::uint64_t packedBytes = m_Deflater->offset - m_HeaderBytes;
-    const std::string   header = m_Writer.makeHeader(m_Geometry, m_Layout, "", packedBytes);
+    const std::uint64_t packedSize = m_Deflater->offset - m_HeaderSize;
+    const std::string   header = m_Writer.makeHeader(m_Geometry, m_Layout, "", packedSize);
     m_File.WriteAt(0, header.data(), header.size());
   }
   m_Deflater.reset();
@@ -230,7 +230,7 @@ PackedVolume::Read(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, void 
   const std::uint64_t begin = m_UnpackedHeader + firstVoxel * m_Layout.GetBytes();
   if (!m_Inflater || m_Inflater->position > begin)
   {
-    m_Inflater = std::make_unique<Inflater>(m_File, m_HeaderBytes);
+    m_Inflater = std::make_unique<Inflater>(m_File, m_HeaderSize);
   }
   m_Inflater->SkipTo(begin);
   m_Inflater->Read(static_cast<Bytef *>(data), numberOfVoxels * m_Layout.GetBytes());

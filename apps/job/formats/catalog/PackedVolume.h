@@ -43,7 +43,7 @@ public:
 
   /** Memory that a volume takes while it is written or read. */
   static std::uint64_t
-  GetMemoryBytes()
+  GetMemory()
   {
     return std::uint64_t{ 1 } << 20;
   }
@@ -66,7 +66,7 @@ private:
 
   mutable std::unique_ptr<Inflater> m_Inflater; ///< where the last Read() ended
 
-  std::uint64_t m_HeaderBytes{ 0 };    ///< before the stream
+  std::uint64_t m_HeaderSize{ 0 };     ///< before the stream
   std::uint64_t m_UnpackedHeader{ 0 }; ///< bytes of the stream before the voxels
   std::uint64_t m_NextByte{ 0 };       ///< of the voxels
 };

@@ -37,7 +37,7 @@ DescribeRawVolume(const std::filesystem::path & fileName, const RawDescription &
   header.bigEndian = raw.bigEndian;
   header.dataFile = fileName;
   header.dataFileSize = GetDataFileSize(fileName, fileName);
-  header.dataOffset = raw.headerBytes;
+  header.dataOffset = raw.headerSize;
 
   const size_t dimension = raw.size.size();
   header.geometry.spacing = raw.spacing.empty() ? std::vector<double>(dimension, 1.0) : raw.spacing;
@@ -148,11 +148,11 @@ CheckDataSize(const VolumeHeader & header)
   {
     return; // each segment was compared with its file when it was located
   }
-  const std::uint64_t voxelBytes = header.GetVoxelBytes();
+  const std::uint64_t dataSize = header.GetDataSize();
   const std::uint64_t available = header.dataFileSize < header.dataOffset ? 0 : header.dataFileSize - header.dataOffset;
   const bool          exact = check == DataSizeCheck::Exactly;
-  const bool          fits = header.compressed ? voxelBytes / MaximumDeflateRatio <= available
-                                               : voxelBytes <= available && (!exact || voxelBytes == available);
+  const bool          fits = header.compressed ? dataSize / MaximumDeflateRatio <= available
+                                               : dataSize <= available && (!exact || dataSize == available);
   if (fits)
   {
     return;
@@ -166,7 +166,7 @@ CheckDataSize(const VolumeHeader & header)
        " voxels of ",
        GetTraits(header.pixelType).name,
        header.compressed ? " cannot be packed into what follows " : " need ",
-       header.compressed ? "" : std::to_string(voxelBytes) + " after ",
+       header.compressed ? "" : std::to_string(dataSize) + " after ",
        header.dataOffset,
        header.compressed ? " bytes of header" : (exact ? " bytes of header, no more and no less" : " bytes of header"));
 }
@@ -222,7 +222,7 @@ try
   }
   CheckDataSize(header);
   CheckGeometry(header);
-  if (const std::uint64_t bytes = GetBytesBehindVoxels(header))
+  if (const std::uint64_t bytes = GetTrailingSize(header))
   {
     header.warnings.push_back(
       { HeaderWarnings::DataBehindVoxels,
@@ -266,7 +266,7 @@ ReadSheetInputHeader(const JobOptions & options)
 }
 
 std::uint64_t
-GetBytesBehindVoxels(const VolumeHeader & header)
+GetTrailingSize(const VolumeHeader & header)
 {
   if (header.compressed || header.format->input.sizeCheck != DataSizeCheck::AtLeast)
   {
@@ -274,7 +274,7 @@ GetBytesBehindVoxels(const VolumeHeader & header)
   }
   if (header.segments.empty())
   {
-    const std::uint64_t end = header.dataOffset + header.GetVoxelBytes();
+    const std::uint64_t end = header.dataOffset + header.GetDataSize();
     return header.dataFileSize - std::min(header.dataFileSize, end);
   }
   std::uint64_t bytes = 0;
@@ -308,9 +308,8 @@ DescribeHeader(const VolumeHeader & seen)
   }
   table.emplace_back("type", std::string(GetTraits(header.pixelType).name));
   table.emplace_back("voxels", std::to_string(header.geometry.GetNumberOfVoxels()));
-  table.emplace_back("bytes",
-                     std::to_string(header.GetVoxelBytes()) + " (" + FormatBytes(header.GetVoxelBytes()) + ")");
-  if (const std::uint64_t behind = GetBytesBehindVoxels(header))
+  table.emplace_back("bytes", std::to_string(header.GetDataSize()) + " (" + FormatBytes(header.GetDataSize()) + ")");
+  if (const std::uint64_t behind = GetTrailingSize(header))
   {
     table.emplace_back("bytes behind them", std::to_string(behind) + ", which the header does not tell of");
   }

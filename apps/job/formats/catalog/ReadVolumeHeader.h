@@ -42,7 +42,7 @@ ReadSheetInputHeader(const JobOptions & options);
 
 /** Of uncompressed voxels of formats that allow it: bytes that nothing tells of; read by no one. */
 std::uint64_t
-GetBytesBehindVoxels(const VolumeHeader & header);
+GetTrailingSize(const VolumeHeader & header);
 
 /** The volume as names and values to print. */
 TextTable

@@ -334,16 +334,16 @@ GetOutputMemory(const std::filesystem::path & fileName,
                 const JobOptions &            options)
 {
   const VolumeWriter & writer = *FindOutputFormat(fileName).format.writer;
-  return (IsPackedVolume(fileName, options.compress) ? PackedVolume::GetMemoryBytes() : 0) +
+  return (IsPackedVolume(fileName, options.compress) ? PackedVolume::GetMemory() : 0) +
          (writer.getMemory ? writer.getMemory(geometry, layout, options) : 0);
 }
 
 std::uint64_t
-GetOutputBytes(const std::filesystem::path & fileName, const VolumeGeometry & geometry, const VoxelLayout & layout)
+GetOutputSize(const std::filesystem::path & fileName, const VolumeGeometry & geometry, const VoxelLayout & layout)
 {
   const VolumeWriter & writer = *FindOutputFormat(fileName).format.writer;
   return geometry.GetNumberOfVoxels() * layout.GetBytes() +
-         (writer.getFurtherBytes ? writer.getFurtherBytes(geometry, layout) : 0);
+         (writer.getFurtherSize ? writer.getFurtherSize(geometry, layout) : 0);
 }
 
 std::uint64_t

@@ -63,7 +63,7 @@ GetOutputMemory(const std::filesystem::path & fileName,
 
 /** Bytes of a volume that is written, when it is not packed. */
 std::uint64_t
-GetOutputBytes(const std::filesystem::path & fileName, const VolumeGeometry & geometry, const VoxelLayout & layout);
+GetOutputSize(const std::filesystem::path & fileName, const VolumeGeometry & geometry, const VoxelLayout & layout);
 
 /** Slices of a volume that are written together. */
 std::uint64_t

@@ -54,7 +54,7 @@ public:
   GetRoughness() const;
 
   /** Bytes that a part of a box takes while it is read, for each thread that reads. */
-  static constexpr std::uint64_t BytesPerPart = std::uint64_t{ 1 } << 20;
+  static constexpr std::uint64_t SpanSize = std::uint64_t{ 1 } << 20;
 
   /** Whether several threads may read the volume; parts are then rows where a slice has more bytes. */
   static bool

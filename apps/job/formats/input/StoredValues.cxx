@@ -320,7 +320,7 @@ std::vector<itk::MedialVoxelBox>
 CutIntoParts(const itk::MedialVoxelBox & box, std::size_t bytesPerVoxel, bool takesRows)
 {
   const auto         bytesPerSlice = static_cast<std::uint64_t>(box.Extent(0) * box.Extent(1)) * bytesPerVoxel;
-  const std::int64_t slices = takesRows && bytesPerSlice > InputVolume::BytesPerPart ? 1 : box.Extent(2);
+  const std::int64_t slices = takesRows && bytesPerSlice > InputVolume::SpanSize ? 1 : box.Extent(2);
   std::vector<itk::MedialVoxelBox> parts;
   for (itk::MedialVoxelBox some = box; some.lower[2] < box.upper[2]; some.lower[2] += slices)
   {

@@ -18,10 +18,10 @@ namespace
 {
 
 /** Unpacked at once, between two looks whether to stop. */
-constexpr std::uint64_t BytesPerStep = std::uint64_t{ 1 } << 20;
+constexpr std::uint64_t StepSize = std::uint64_t{ 1 } << 20;
 
 /** Of zeros that are left out. */
-constexpr std::uint64_t BytesPerBlock = std::uint64_t{ 1 } << 14;
+constexpr std::uint64_t BlockSize = std::uint64_t{ 1 } << 14;
 
 } // namespace
 
@@ -29,7 +29,7 @@ UnpackedVolume::UnpackedVolume(const VolumeHeader &          header,
                                const std::filesystem::path & scratchFolder,
                                const ProgressSink &          sink)
   : m_Header(header)
-  , m_NumberOfBytes(header.GetVoxelBytes())
+  , m_NumberOfBytes(header.GetDataSize())
   , m_Sink(sink)
 {
   if (scratchFolder.empty())
@@ -78,10 +78,10 @@ try
   std::vector<char> step;
   for (std::uint64_t begin = 0; begin < m_NumberOfBytes && !m_IsStopped; begin += step.size())
   {
-    step.resize(std::min(BytesPerStep, m_NumberOfBytes - begin));
+    step.resize(std::min(StepSize, m_NumberOfBytes - begin));
     source->Read(begin, step.data(), step.size());
     this->Store(begin, step.data(), step.size());
-    m_BytesRead = source->GetNumberOfBytesRead();
+    m_NumberOfBytesRead = source->GetNumberOfBytesRead();
     const std::lock_guard<std::mutex> lock(m_Mutex);
     m_Done = begin + step.size();
     m_HasMore.notify_all();
@@ -97,9 +97,9 @@ catch (...)
 void
 UnpackedVolume::Store(std::uint64_t offset, const char * data, std::uint64_t numberOfBytes)
 {
-  for (std::uint64_t begin = 0; begin < numberOfBytes; begin += BytesPerBlock)
+  for (std::uint64_t begin = 0; begin < numberOfBytes; begin += BlockSize)
   {
-    const std::uint64_t count = std::min(BytesPerBlock, numberOfBytes - begin);
+    const std::uint64_t count = std::min(BlockSize, numberOfBytes - begin);
     if (IsAllZero(data + begin, count))
     {
       continue;

@@ -43,7 +43,7 @@ public:
   std::uint64_t
   GetNumberOfBytesRead() const override
   {
-    return m_BytesRead;
+    return m_NumberOfBytesRead;
   }
 
 private:
@@ -70,7 +70,7 @@ private:
   const ProgressSink &           m_Sink;
   std::unique_ptr<char[], Freer> m_Memory;
   std::optional<ScratchFile>     m_File; ///< in place of memory
-  std::atomic<std::uint64_t>     m_BytesRead{ 0 };
+  std::atomic<std::uint64_t>     m_NumberOfBytesRead{ 0 };
   std::atomic<std::uint64_t>     m_Done{ 0 }; ///< bytes that can be read
   std::atomic<bool>              m_IsStopped{ false };
   std::mutex                     m_Mutex;

@@ -17,8 +17,8 @@ class StreamedSource : public VoxelSource
 public:
   explicit StreamedSource(const VolumeHeader & header)
     : m_Stream(header.format->input.openCompressed(header))
-    , m_NumberOfBytes(header.GetVoxelBytes())
-    , m_BytesToSwap(header.bigEndian == itk::MachineIsBigEndian() ? 1 : GetTraits(header.pixelType).bytes)
+    , m_NumberOfBytes(header.GetDataSize())
+    , m_ValueSize(header.bigEndian == itk::MachineIsBigEndian() ? 1 : GetTraits(header.pixelType).bytes)
   {}
 
   void
@@ -26,7 +26,7 @@ public:
   {
     assert(offset == m_Position);
     m_Stream->Read(destination, numberOfBytes);
-    itk::SwapComponentBytes(destination, numberOfBytes, m_BytesToSwap);
+    itk::SwapComponentBytes(destination, numberOfBytes, m_ValueSize);
     m_Position += numberOfBytes;
     if (m_Position == m_NumberOfBytes)
     {
@@ -43,7 +43,7 @@ public:
 private:
   std::unique_ptr<VoxelStream> m_Stream;
   std::uint64_t                m_NumberOfBytes;
-  unsigned int                 m_BytesToSwap; ///< 1: they stay as they are
+  unsigned int                 m_ValueSize; ///< 1: they stay as they are
   std::uint64_t                m_Position{ 0 };
 };
 

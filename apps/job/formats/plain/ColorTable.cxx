@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr std::size_t   MaximumBytesPerLine = std::size_t{ 1 } << 16;
-constexpr std::uint64_t MaximumBytesOfTable = std::uint64_t{ 1 } << 24;
+constexpr std::uint64_t MaximumTableSize = std::uint64_t{ 1 } << 24;
 constexpr std::size_t   MostRows = 65535;
 constexpr std::size_t   NoColumn = static_cast<std::size_t>(-1);
 
@@ -31,9 +31,9 @@ public:
   bool
   Next(std::string & line)
   {
-    if (m_Lines.GetPosition() > MaximumBytesOfTable)
+    if (m_Lines.GetPosition() > MaximumTableSize)
     {
-      RefuseHeader(m_FileName, "it has more than " + std::to_string(MaximumBytesOfTable) + " bytes; no table has");
+      RefuseHeader(m_FileName, "it has more than " + std::to_string(MaximumTableSize) + " bytes; no table has");
     }
     return m_Lines.Next(line);
   }

@@ -199,7 +199,7 @@ ReadDataOffset(const VolumeHeader & header, const HeaderFields & fields)
   }
   if (*offset == -1)
   {
-    return header.dataFileSize < header.GetVoxelBytes() ? 0 : header.dataFileSize - header.GetVoxelBytes();
+    return header.dataFileSize < header.GetDataSize() ? 0 : header.dataFileSize - header.GetDataSize();
   }
   if (*offset == 0)
   {

@@ -21,7 +21,7 @@ namespace NiftiFields
 /** What is not a field of the same kind in both versions. */
 struct Version
 {
-  std::int32_t     headerBytes; ///< also the value of the first field
+  std::int32_t     headerSize; ///< also the value of the first field
   double           minimumDataOffset;
   std::size_t      magic; ///< where it lies
   std::string_view magicOfFile;

@@ -67,10 +67,10 @@ public:
     {
       for (const bool bigEndian : { false, true })
       {
-        if (BinaryHeader(start, bigEndian).Get<std::int32_t>(0) == this->GetVersion().headerBytes)
+        if (BinaryHeader(start, bigEndian).Get<std::int32_t>(0) == this->GetVersion().headerSize)
         {
           m_BigEndian = bigEndian;
-          const std::vector<unsigned char> bytes = ReadBytes(fileName, this->GetVersion().headerBytes);
+          const std::vector<unsigned char> bytes = ReadBytes(fileName, this->GetVersion().headerSize);
           this->CheckMagic(fileName, bytes);
           m_Bytes = BinaryHeader(bytes, bigEndian);
           return;

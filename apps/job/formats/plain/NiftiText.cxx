@@ -72,7 +72,7 @@ MakeNiftiHeader(const VolumeGeometry & geometry, const VoxelLayout & layout)
 {
   constexpr int millimeters = 2;
   std::string   header(static_cast<std::size_t>(Written.minimumDataOffset), '\0');
-  Set(header, SizeOfHeader, Written.headerBytes);
+  Set(header, SizeOfHeader, Written.headerSize);
   SetSize(header, geometry);
   const auto type = std::find_if(
     DataTypes.begin(), DataTypes.end(), [&layout](const auto & known) { return known.second == layout.pixelType; });

@@ -25,7 +25,7 @@ std::string
 MakeMetaImageText(const VolumeGeometry &               geometry,
                   const VoxelLayout &                  layout,
                   const std::string &                  dataFile,
-                  const std::optional<std::uint64_t> & packedBytes)
+                  const std::optional<std::uint64_t> & packedSize)
 {
   const bool  bigEndian = itk::ByteSwapper<int>::SystemIsBigEndian();
   const auto  axisText = [](const std::vector<double> & axis) { return FormatNumbers(axis, " "); };
@@ -33,11 +33,11 @@ MakeMetaImageText(const VolumeGeometry &               geometry,
   text += "NDims = " + std::to_string(geometry.GetDimension()) + "\n";
   text += "BinaryData = True\n";
   text += std::string("BinaryDataByteOrderMSB = ") + (bigEndian ? "True" : "False") + "\n";
-  text += std::string("CompressedData = ") + (packedBytes ? "True" : "False") + "\n";
-  if (packedBytes)
+  text += std::string("CompressedData = ") + (packedSize ? "True" : "False") + "\n";
+  if (packedSize)
   {
     constexpr std::size_t digits = 20;
-    const std::string     number = std::to_string(*packedBytes);
+    const std::string     number = std::to_string(*packedSize);
     text += "CompressedDataSize = " + std::string(digits - number.size(), '0') + number + "\n";
   }
   text += "TransformMatrix = " + Join(geometry.direction, " ", axisText) + "\n";
@@ -57,7 +57,7 @@ std::string
 MakeNrrdText(const VolumeGeometry &               geometry,
              const VoxelLayout &                  layout,
              const std::string &                  dataFile,
-             const std::optional<std::uint64_t> & packedBytes)
+             const std::optional<std::uint64_t> & packedSize)
 {
   itk::MedialVoxelNrrdHeader header;
   header.size = geometry.size;
@@ -68,7 +68,7 @@ MakeNrrdText(const VolumeGeometry &               geometry,
   header.componentKind = layout.components > 1 ? "vector" : "";
   header.numberOfComponents = layout.components;
   header.bigEndian = itk::ByteSwapper<int>::SystemIsBigEndian();
-  header.encoding = packedBytes ? "gzip" : "raw";
+  header.encoding = packedSize ? "gzip" : "raw";
   if (layout.segments != nullptr)
   {
     header.keyValues = MakeNrrdSegments(*layout.segments, geometry.size);

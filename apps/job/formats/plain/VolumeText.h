@@ -17,17 +17,17 @@ constexpr const char * DetachedRemedy = "its voxels are in a file of their own; 
 
 /** Header of a file with a volume of voxels in the byte order of this machine. Numbers read back exactly.
  * \param dataFile name of the voxels' file beside the header; empty when they follow the header
- * \param packedBytes of voxels that are packed; the length of the header does not depend on the number */
+ * \param packedSize of voxels that are packed; the length of the header does not depend on the number */
 std::string
 MakeMetaImageText(const VolumeGeometry &               geometry,
                   const VoxelLayout &                  layout,
                   const std::string &                  dataFile,
-                  const std::optional<std::uint64_t> & packedBytes = std::nullopt);
+                  const std::optional<std::uint64_t> & packedSize = std::nullopt);
 std::string
 MakeNrrdText(const VolumeGeometry &               geometry,
              const VoxelLayout &                  layout,
              const std::string &                  dataFile,
-             const std::optional<std::uint64_t> & packedBytes = std::nullopt);
+             const std::optional<std::uint64_t> & packedSize = std::nullopt);
 
 } // end namespace medialvoxel
 

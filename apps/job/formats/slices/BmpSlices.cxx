@@ -16,8 +16,8 @@ namespace medialvoxel
 namespace
 {
 
-constexpr std::size_t   BytesOfHeader = 54;
-constexpr std::uint32_t BytesOfInformation = 40;
+constexpr std::size_t   HeaderSize = 54;
+constexpr std::uint32_t InformationSize = 40;
 constexpr std::uint32_t MostColors = 256;
 constexpr std::int64_t  LargestSize = 1 << 20;
 
@@ -25,7 +25,7 @@ constexpr std::int64_t  LargestSize = 1 << 20;
 enum Field : std::size_t
 {
   FirstVoxel = 10,
-  InformationBytes = 14,
+  SizeOfInformation = 14,
   Columns = 18,
   Rows = 22,
   Bits = 28,
@@ -41,7 +41,7 @@ public:
   explicit BmpFile(const std::filesystem::path & fileName)
     : m_FileName(fileName)
     , m_File(OpenRegularFile(fileName))
-    , m_Header(this->ReadBytes(BytesOfHeader), false)
+    , m_Header(this->ReadBytes(HeaderSize), false)
   {}
 
   SliceHeader
@@ -59,8 +59,8 @@ public:
     SliceHeader header;
     header.fileName = m_FileName;
     header.size = { { static_cast<std::uint64_t>(columns), static_cast<std::uint64_t>(std::abs(rows)) } };
-    header.decodeBytes = std::uint64_t{ 1 } << 16;
-    const std::uint64_t needed = m_Header.Get<std::uint32_t>(FirstVoxel) + GetRowBytes(header) * header.size[1];
+    header.decoderMemory = std::uint64_t{ 1 } << 16;
+    const std::uint64_t needed = m_Header.Get<std::uint32_t>(FirstVoxel) + GetRowSize(header) * header.size[1];
     const std::uint64_t available = GetDataFileSize(m_FileName, m_FileName);
     if (needed > available)
     {
@@ -79,7 +79,7 @@ public:
     for (std::uint64_t row = 0; row < header.size[1]; ++row)
     {
       const std::uint64_t inFile = isFromBelow ? header.size[1] - 1 - row : row;
-      m_File.seekg(static_cast<std::streamoff>(m_Header.Get<std::uint32_t>(FirstVoxel) + inFile * GetRowBytes(header)));
+      m_File.seekg(static_cast<std::streamoff>(m_Header.Get<std::uint32_t>(FirstVoxel) + inFile * GetRowSize(header)));
       const std::vector<unsigned char> bytes = this->ReadBytes(header.size[0]);
       std::copy(bytes.begin(), bytes.end(), static_cast<unsigned char *>(voxels) + row * header.size[0]);
     }
@@ -88,7 +88,7 @@ public:
 private:
   /** Rows begin at multiples of four bytes. */
   static std::uint64_t
-  GetRowBytes(const SliceHeader & header)
+  GetRowSize(const SliceHeader & header)
   {
     return (header.size[0] + 3) / 4 * 4;
   }
@@ -111,10 +111,10 @@ private:
     {
       RefuseHeader(m_FileName, "it does not begin as a BMP file does");
     }
-    const auto information = m_Header.Get<std::uint32_t>(InformationBytes);
+    const auto information = m_Header.Get<std::uint32_t>(SizeOfInformation);
     const auto bits = m_Header.Get<std::uint16_t>(Bits);
     const auto compression = m_Header.Get<std::uint32_t>(Compression);
-    if (information != BytesOfInformation || bits != 8 || compression != 0)
+    if (information != InformationSize || bits != 8 || compression != 0)
     {
       RefuseHeader(m_FileName,
                    "only BMP with a header of 40 bytes, 8 bits per voxel and no compression is read; it has " +

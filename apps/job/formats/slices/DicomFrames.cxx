@@ -298,7 +298,7 @@ private:
 };
 
 std::uint64_t
-GetBytesOfFrame(const DicomStructure & file)
+GetFrameSize(const DicomStructure & file)
 {
   return file.columns * file.rows * (file.bits / 8);
 }
@@ -338,7 +338,7 @@ ListDicomFrames(const std::filesystem::path & fileName, DicomStructure structure
       frame.file = file;
       frame.fileSize = sample.fileSize;
       frame.lastWrite = sample.lastWrite;
-      std::uint64_t bytes = file->isPacked ? 0 : GetBytesOfFrame(*file);
+      std::uint64_t bytes = file->isPacked ? 0 : GetFrameSize(*file);
       for (std::size_t i = frame.beginOfFragments; i < frame.endOfFragments; ++i)
       {
         bytes += file->fragments[i].length;
@@ -347,7 +347,7 @@ ListDicomFrames(const std::filesystem::path & fileName, DicomStructure structure
       slice.fileName = fileName;
       slice.padding = reader.GetPadding(frame);
       slice.frame = std::make_shared<const DicomFrame>(std::move(frame));
-      slice.decodeBytes = 2 * bytes + 2 * MiB; // of the file, in GDCM too, and of what unpacks
+      slice.decoderMemory = 2 * bytes + 2 * MiB; // of the file, in GDCM too, and of what unpacks
       slices.push_back(std::move(slice));
     }
   }
@@ -368,7 +368,7 @@ ReadDicomFrame(const SliceHeader & slice)
   RequireSameFile(slice);
   const DicomFrame &     frame = *slice.frame;
   const DicomStructure & file = *frame.file;
-  const std::uint64_t    bytes = GetBytesOfFrame(file);
+  const std::uint64_t    bytes = GetFrameSize(file);
   const std::uint64_t    begin = file.beginOfVoxels + frame.number * bytes;
   std::vector<char>      stored;
   if (file.isDeflated)

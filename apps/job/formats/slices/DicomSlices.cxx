@@ -24,10 +24,10 @@ constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 
 /** No way of packing makes one byte out of more than this many, but for small images of one value. */
 constexpr std::uint64_t MaximumRatio = 4096;
-constexpr std::uint64_t SmallImageBytes = 16 * MiB;
+constexpr std::uint64_t SmallImageSize = 16 * MiB;
 
 /** Measured: GDCM and its tables. */
-constexpr std::uint64_t BytesOfGdcm = 12 * MiB;
+constexpr std::uint64_t GdcmMemory = 12 * MiB;
 
 /** In place of the module's usual places. */
 constexpr const char * ModuleVariable = "MEDIALVOXEL_DICOM_MODULE";
@@ -120,8 +120,8 @@ CheckSize(const std::filesystem::path & fileName, const DicomStructure & structu
   CheckVoxels(fileName, structure);
   const std::uint64_t bytes =
     structure.columns * structure.rows * structure.samples * ((structure.bits + 7) / 8) * structure.frames;
-  const bool fits = structure.isPacked ? bytes <= std::max(SmallImageBytes, MaximumRatio * structure.voxelBytes)
-                                       : bytes <= structure.voxelBytes;
+  const bool fits = structure.isPacked ? bytes <= std::max(SmallImageSize, MaximumRatio * structure.dataSize)
+                                       : bytes <= structure.dataSize;
   if (bytes == 0 || !fits)
   {
     RefuseHeader(fileName,
@@ -129,7 +129,7 @@ CheckSize(const std::filesystem::path & fileName, const DicomStructure & structu
                    (structure.frames > 1 ? FormatSize({ structure.columns, structure.rows, structure.frames })
                                          : FormatSize({ structure.columns, structure.rows })) +
                    " voxels of " + std::to_string(structure.samples) + " x " + std::to_string(structure.bits) +
-                   " bits cannot be in " + std::to_string(structure.voxelBytes) + " bytes");
+                   " bits cannot be in " + std::to_string(structure.dataSize) + " bytes");
   }
 }
 
@@ -168,7 +168,7 @@ std::vector<SliceHeader>
 ReadHeaders(const std::filesystem::path & fileName)
 {
   const DicomStructure structure = CheckDicomStructure(fileName);
-  if (structure.voxelBytes == 0)
+  if (structure.dataSize == 0)
   {
     return {};
   }
@@ -180,7 +180,7 @@ ReadHeaders(const std::filesystem::path & fileName)
     CallReadFrame(slice, DescribeFrame(*slice.frame), pixelType, nullptr);
     slice.pixelType = static_cast<PixelType>(pixelType);
     slice.storedType = slice.pixelType;
-    slice.decodeBytes += (structure.isPacked ? 3 : 1) * slice.GetVoxelBytes(); // some codecs have more of it
+    slice.decoderMemory += (structure.isPacked ? 3 : 1) * slice.GetDataSize(); // some codecs have more of it
   }
   return slices;
 }
@@ -222,7 +222,7 @@ ReadVoxels(const SliceHeader & expected, void * voxels)
 SliceFormat
 MakeDicomSliceFormat()
 {
-  return { "DICOM", { ".dcm", ".dicom", ".ima" }, true, IsDicomFile, ReadHeaders, ReadVoxels, BytesOfGdcm };
+  return { "DICOM", { ".dcm", ".dicom", ".ima" }, true, IsDicomFile, ReadHeaders, ReadVoxels, GdcmMemory };
 }
 
 } // end namespace medialvoxel

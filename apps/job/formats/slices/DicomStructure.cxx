@@ -17,7 +17,7 @@ namespace medialvoxel
 namespace
 {
 
-constexpr std::uint64_t    BytesOfPreamble = 128;
+constexpr std::uint64_t    PreambleSize = 128;
 constexpr std::string_view Signature = "DICM";
 
 constexpr unsigned int DeepestSequence = 16;
@@ -63,8 +63,8 @@ public:
   DicomStructure
   Walk()
   {
-    this->MoveTo(BytesOfPreamble);
-    if (m_Size < BytesOfPreamble + Signature.size() || this->ReadText(Signature.size()) != Signature)
+    this->MoveTo(PreambleSize);
+    if (m_Size < PreambleSize + Signature.size() || this->ReadText(Signature.size()) != Signature)
     {
       RefuseHeader(m_FileName, "it is not DICOM: bytes 128 to 131 are not DICM");
     }
@@ -168,7 +168,7 @@ private:
       {
         this->MoveTo(m_Position + element.length);
       }
-      m_Structure.voxelBytes = m_Position - begin;
+      m_Structure.dataSize = m_Position - begin;
       m_Structure.beginOfVoxels = begin;
       m_Structure.endOfVoxels = m_Position;
     }
@@ -408,7 +408,7 @@ IsDicomFile(const std::filesystem::path & fileName)
 {
   std::ifstream                      file(fileName, std::ios::binary);
   std::array<char, Signature.size()> bytes{};
-  file.seekg(BytesOfPreamble);
+  file.seekg(PreambleSize);
   return file.read(bytes.data(), bytes.size()) && std::equal(bytes.begin(), bytes.end(), Signature.begin());
 }
 

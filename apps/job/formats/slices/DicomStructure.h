@@ -37,7 +37,7 @@ struct DicomStructure
   std::uint64_t storedBits{ 0 }; ///< of the allocated ones
   std::uint64_t highBit{ 0 };    ///< of the stored ones
   std::uint64_t isSigned{ 0 };   ///< 0 or 1
-  std::uint64_t voxelBytes{ 0 }; ///< in the file, packed or not; 0: the file has no image
+  std::uint64_t dataSize{ 0 };   ///< in the file, packed or not; 0: the file has no image
   bool          isPacked{ false };
   std::uint64_t beginOfVoxels{ 0 };
   std::uint64_t endOfVoxels{ 0 }; ///< where what follows the image begins

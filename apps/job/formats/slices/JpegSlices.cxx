@@ -21,7 +21,7 @@ namespace
 constexpr std::uint64_t MaximumRatio = 1024;
 
 /** Rows and tables of libjpeg; a progressive file also keeps two bytes for each voxel of whole blocks. */
-constexpr std::uint64_t BytesOfDecoding = std::uint64_t{ 1 } << 20;
+constexpr std::uint64_t DecoderMemory = std::uint64_t{ 1 } << 20;
 constexpr std::uint64_t BytesPerVoxel = 2;
 constexpr std::uint64_t BlockEdge = 8;
 
@@ -142,7 +142,7 @@ public:
     header.fileName = m_FileName;
     header.size = { { state.image_width, state.image_height } };
     header.pixelType = PixelType::UInt8;
-    header.decodeBytes = BytesOfDecoding + BytesPerVoxel * (header.size[0] + BlockEdge) * (header.size[1] + BlockEdge);
+    header.decoderMemory = DecoderMemory + BytesPerVoxel * (header.size[0] + BlockEdge) * (header.size[1] + BlockEdge);
     CheckSliceSize(header, GetDataFileSize(m_FileName, m_FileName), MaximumRatio);
     return header;
   }

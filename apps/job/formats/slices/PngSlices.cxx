@@ -21,7 +21,7 @@ namespace
 constexpr std::uint64_t MaximumRatio = 1032;
 
 /** Rows and tables of libpng. */
-constexpr std::uint64_t BytesOfDecoding = std::uint64_t{ 1 } << 20;
+constexpr std::uint64_t DecoderMemory = std::uint64_t{ 1 } << 20;
 
 /** Back to where setjmp() was called, without a word on the terminal. */
 [[noreturn]] void
@@ -116,7 +116,7 @@ public:
     header.fileName = m_FileName;
     header.size = { { png_get_image_width(m_Png, m_Info), png_get_image_height(m_Png, m_Info) } };
     header.pixelType = bits == 16 ? PixelType::UInt16 : PixelType::UInt8;
-    header.decodeBytes = BytesOfDecoding + header.size[1] * sizeof(png_bytep);
+    header.decoderMemory = DecoderMemory + header.size[1] * sizeof(png_bytep);
     // Bits that are expanded to bytes come on top.
     CheckSliceSize(header, GetDataFileSize(m_FileName, m_FileName), MaximumRatio * (bits < 8 ? 8 / bits : 1));
     return header;
@@ -125,7 +125,7 @@ public:
   void
   ReadVoxels(const SliceHeader & header, void * voxels)
   {
-    const std::size_t      bytesPerRow = header.GetVoxelBytes() / header.size[1];
+    const std::size_t      bytesPerRow = header.GetDataSize() / header.size[1];
     std::vector<png_bytep> rows(header.size[1]);
     for (std::size_t row = 0; row < rows.size(); ++row)
     {

@@ -200,7 +200,7 @@ UnifyTypes(Slices & slices)
   for (SliceHeader & slice : slices)
   {
     // What is converted is in memory twice.
-    slice.decodeBytes += slice.pixelType == type ? 0 : slice.GetVoxelBytes();
+    slice.decoderMemory += slice.pixelType == type ? 0 : slice.GetDataSize();
     slice.pixelType = type;
   }
 }

@@ -43,7 +43,7 @@ public:
   std::uint64_t
   GetNumberOfBytesRead() const override
   {
-    return m_BytesRead;
+    return m_NumberOfBytesRead;
   }
 
   /** Slices are checked when they are read. */
@@ -72,7 +72,7 @@ private:
     const SliceHeader & header = m_Series->slices[number];
     const std::size_t   capacity = GetCapacity(itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
     return m_Series->cache->Get(number, capacity, [&]() -> SliceCache::Slice {
-      auto voxels = std::make_shared<std::vector<char>>(header.GetVoxelBytes());
+      auto voxels = std::make_shared<std::vector<char>>(header.GetDataSize());
       try
       {
         m_Series->format->readVoxels(header, voxels->data());
@@ -83,7 +83,7 @@ private:
       }
       std::error_code unknown;
       const auto      bytes = std::filesystem::file_size(header.fileName, unknown);
-      m_BytesRead += unknown ? 0 : bytes;
+      m_NumberOfBytesRead += unknown ? 0 : bytes;
       return voxels;
     });
   }
@@ -107,7 +107,7 @@ private:
   }
 
   std::shared_ptr<const SliceSeries> m_Series;
-  std::uint64_t                      m_BytesRead{ 0 };
+  std::uint64_t                      m_NumberOfBytesRead{ 0 };
 };
 
 } // namespace
@@ -124,15 +124,15 @@ std::uint64_t
 GetSeriesMemory(const VolumeHeader & header, unsigned int threads)
 {
   const SliceSeries & series = *header.series;
-  std::uint64_t       decodeBytes = 0;
+  std::uint64_t       decoderMemory = 0;
   for (const SliceHeader & slice : series.slices)
   {
-    decodeBytes = std::max(decodeBytes, slice.decodeBytes);
+    decoderMemory = std::max(decoderMemory, slice.decoderMemory);
   }
   // A thread may still copy from a slice that is no longer kept.
   const std::uint64_t slices =
     std::min<std::uint64_t>(GetCapacity(threads) + threads - 1, series.slices.size() + threads);
-  return series.format->libraryBytes + slices * series.slices.front().GetVoxelBytes() + threads * decodeBytes;
+  return series.format->libraryMemory + slices * series.slices.front().GetDataSize() + threads * decoderMemory;
 }
 
 } // end namespace medialvoxel

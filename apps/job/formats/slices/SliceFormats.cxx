@@ -74,16 +74,16 @@ DescribeSliceFormats()
 }
 
 void
-CheckSliceSize(const SliceHeader & header, std::uint64_t fileBytes, std::uint64_t ratio)
+CheckSliceSize(const SliceHeader & header, std::uint64_t fileSize, std::uint64_t ratio)
 {
   const std::uint64_t bytes =
     itk::CheckedFileSize({ header.size[0], header.size[1], GetTraits(header.pixelType).bytes });
-  if (bytes == 0 || bytes / ratio > fileBytes)
+  if (bytes == 0 || bytes / ratio > fileSize)
   {
     RefuseHeader(header.fileName,
                  "its " + FormatSize({ header.size[0], header.size[1] }) + " voxels of " +
                    std::string(GetTraits(header.pixelType).name) + " cannot be in a file of " +
-                   std::to_string(fileBytes) + " bytes");
+                   std::to_string(fileSize) + " bytes");
   }
 }
 

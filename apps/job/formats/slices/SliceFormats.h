@@ -25,7 +25,7 @@ DescribeSliceFormats();
  * \param ratio bytes of voxels that one byte of the file can become
  * \throw HeaderError */
 void
-CheckSliceSize(const SliceHeader & header, std::uint64_t fileBytes, std::uint64_t ratio);
+CheckSliceSize(const SliceHeader & header, std::uint64_t fileSize, std::uint64_t ratio);
 
 /** \throw HeaderError when the size or type is no longer the one that was read first */
 void

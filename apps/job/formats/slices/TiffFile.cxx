@@ -12,14 +12,14 @@
 namespace medialvoxel
 {
 
-TiffFile::TiffFile(const std::filesystem::path & fileName, std::uint64_t maximumBytes)
+TiffFile::TiffFile(const std::filesystem::path & fileName, std::uint64_t maximumSize)
   : m_FileName(fileName)
   , m_File(OpenRegularFile(fileName))
   , m_Size(GetDataFileSize(fileName, fileName))
 {
   const std::unique_ptr<TIFFOpenOptions, decltype(&TIFFOpenOptionsFree)> options(TIFFOpenOptionsAlloc(),
                                                                                  TIFFOpenOptionsFree);
-  TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), static_cast<tmsize_t>(maximumBytes));
+  TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), static_cast<tmsize_t>(maximumSize));
   TIFFOpenOptionsSetErrorHandlerExtR(options.get(), KeepComplaint, this);
   TIFFOpenOptionsSetWarningHandlerExtR(options.get(), DropWarning, nullptr);
   const auto write = [](thandle_t, void *, tmsize_t) -> tmsize_t { return -1; };
@@ -87,7 +87,7 @@ TiffFile::HasBits() const
 }
 
 std::uint64_t
-TiffFile::GetBytesToRead(std::uint64_t band) const
+TiffFile::GetBandMemory(std::uint64_t band) const
 {
   const TiffBands     bands = this->GetBands();
   const std::uint64_t parts = bands.GetParts();
@@ -110,18 +110,18 @@ TiffFile::ReadBand(std::uint64_t band, char * voxels, std::uint64_t numberOfByte
     this->Refuse("its slices changed while it was read");
   }
   const std::uint64_t parts = bands.GetParts();
-  std::uint64_t       packedBytes = 0;
+  std::uint64_t       packedSize = 0;
   for (std::uint64_t part = band * parts; part < (band + 1) * parts; ++part)
   {
-    packedBytes += TIFFGetStrileByteCount(m_Handle.get(), static_cast<std::uint32_t>(part));
+    packedSize += TIFFGetStrileByteCount(m_Handle.get(), static_cast<std::uint32_t>(part));
   }
   if (bands.tileWidth > 0)
   {
     this->ReadTiles(bands, band, voxels);
-    return packedBytes;
+    return packedSize;
   }
   this->ReadPart(band, bands.width, bands.GetRows(band), voxels);
-  return packedBytes;
+  return packedSize;
 }
 
 void
@@ -129,10 +129,10 @@ TiffFile::ReadPart(std::uint64_t part, std::uint64_t width, std::uint64_t rows, 
 {
   const bool          isTile = TIFFIsTiled(m_Handle.get()) != 0;
   const bool          hasBits = this->HasBits();
-  const std::uint64_t rowBytes = hasBits ? (width + 7) / 8 : width * this->GetBytesPerVoxel();
-  m_Bits.resize(hasBits ? rows * rowBytes : 0);
+  const std::uint64_t rowSize = hasBits ? (width + 7) / 8 : width * this->GetBytesPerVoxel();
+  m_Bits.resize(hasBits ? rows * rowSize : 0);
   void * const target = hasBits ? static_cast<void *>(m_Bits.data()) : voxels;
-  const auto   size = static_cast<tmsize_t>(rows * rowBytes);
+  const auto   size = static_cast<tmsize_t>(rows * rowSize);
   const auto   number = static_cast<std::uint32_t>(part);
   const auto   read = isTile ? TIFFReadEncodedTile(m_Handle.get(), number, target, size)
                              : TIFFReadEncodedStrip(m_Handle.get(), number, target, size);
@@ -144,7 +144,7 @@ TiffFile::ReadPart(std::uint64_t part, std::uint64_t width, std::uint64_t rows, 
   {
     for (std::uint64_t x = 0; x < width; ++x)
     {
-      voxels[row * width + x] = static_cast<char>(m_Bits[row * rowBytes + x / 8] >> (7 - x % 8) & 1);
+      voxels[row * width + x] = static_cast<char>(m_Bits[row * rowSize + x / 8] >> (7 - x % 8) & 1);
     }
   }
 }

@@ -55,12 +55,12 @@ class TiffFile
 {
 public:
   /** Tables of a directory with more bytes than this are refused. */
-  static constexpr std::uint64_t MaximumBytesOfTable = std::uint64_t{ 1 } << 26;
+  static constexpr std::uint64_t MaximumTableSize = std::uint64_t{ 1 } << 26;
 
   /** Opens a file and reads its first directory.
-   * \param maximumBytes no buffer within libtiff has more bytes than this
+   * \param maximumSize no buffer within libtiff has more bytes than this
    * \throw HeaderError Unreadable, or Corrupt when it does not begin with a directory */
-  explicit TiffFile(const std::filesystem::path & fileName, std::uint64_t maximumBytes = MaximumBytesOfTable);
+  explicit TiffFile(const std::filesystem::path & fileName, std::uint64_t maximumSize = MaximumTableSize);
   TiffFile(const TiffFile &) = delete;
   TiffFile &
   operator=(const TiffFile &) = delete;
@@ -102,7 +102,7 @@ public:
 
   /** Memory that ReadBand() takes, with the voxels. */
   std::uint64_t
-  GetBytesToRead(std::uint64_t band) const;
+  GetBandMemory(std::uint64_t band) const;
 
   /** Unpacks the rows of a band into the byte order of the machine. Returns the bytes that it has in the file.
    * \throw HeaderError Corrupt when it is damaged or has not \a numberOfBytes */

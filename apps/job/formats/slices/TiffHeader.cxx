@@ -24,7 +24,7 @@ namespace
 constexpr std::int64_t MaximumUnlistedSlices = std::int64_t{ 1 } << 20;
 
 /** Memory that a tile may take, however small the part of it is that a slice uses. */
-constexpr std::uint64_t MaximumBytesOfTile = std::uint64_t{ 1 } << 26;
+constexpr std::uint64_t MaximumTileSize = std::uint64_t{ 1 } << 26;
 
 /** A way of packing that loses nothing and unpacks a part in little more memory than the part takes. */
 struct Packing
@@ -277,7 +277,7 @@ private:
     }
     for (std::uint64_t band = 0; m_IsUnpacked && band < bands.GetCount(); ++band)
     {
-      m_Header.unpackBytes = std::max(m_Header.unpackBytes, m_File.GetBytesToRead(band));
+      m_Header.decoderMemory = std::max(m_Header.decoderMemory, m_File.GetBandMemory(band));
     }
   }
 
@@ -287,31 +287,31 @@ private:
   {
     if (!m_Format.isTiled)
     {
-      return bands.GetRows(part) * this->GetRowBytes();
+      return bands.GetRows(part) * this->GetRowSize();
     }
     const std::uint64_t bytes =
       itk::CheckedFileSize({ bands.tileWidth, bands.rows, GetTraits(m_Header.pixelType).bytes });
-    if (bytes == 0 || bytes > MaximumBytesOfTile)
+    if (bytes == 0 || bytes > MaximumTileSize)
     {
       m_File.Refuse("a tile of " + FormatSize({ bands.tileWidth, bands.rows }) + " voxels is empty or has more than " +
-                    FormatBytes(MaximumBytesOfTile));
+                    FormatBytes(MaximumTileSize));
     }
     return bytes;
   }
 
   void
-  AddPart(std::uint64_t offset, std::uint64_t packedBytes, std::uint64_t bytes)
+  AddPart(std::uint64_t offset, std::uint64_t packedSize, std::uint64_t bytes)
   {
     const std::uint64_t size = m_Header.dataFileSize;
     // libtiff puts strips that a table does not list at 0, where the file has its own header.
-    if (offset == 0 || offset > size || size - offset < packedBytes)
+    if (offset == 0 || offset > size || size - offset < packedSize)
     {
-      m_File.Refuse("it has " + std::to_string(size) + " bytes; " + std::to_string(packedBytes) +
+      m_File.Refuse("it has " + std::to_string(size) + " bytes; " + std::to_string(packedSize) +
                     " bytes of voxels should lie at " + std::to_string(offset));
     }
-    if (bytes / m_Packing.maximumRatio / this->GetVoxelsPerByte() > packedBytes || packedBytes == 0)
+    if (bytes / m_Packing.maximumRatio / this->GetVoxelsPerByte() > packedSize || packedSize == 0)
     {
-      m_File.Refuse((m_Format.isTiled ? "a tile of " : "a strip of ") + std::to_string(packedBytes) +
+      m_File.Refuse((m_Format.isTiled ? "a tile of " : "a strip of ") + std::to_string(packedSize) +
                     " bytes cannot hold " + std::to_string(bytes) + " bytes of voxels");
     }
     if (!m_IsUnpacked)
@@ -353,7 +353,7 @@ private:
     {
       m_File.Refuse("its description announces " + std::to_string(*images) + " images, but only one is listed");
     }
-    const std::uint64_t bytes = m_Format.height * this->GetRowBytes();
+    const std::uint64_t bytes = m_Format.height * this->GetRowSize();
     for (std::int64_t slice = 1; slice < *images; ++slice)
     {
       const itk::MedialVoxelFileSegment & known = m_Header.segments.back();
@@ -399,7 +399,7 @@ private:
     geometry.origin.assign(geometry.size.size(), 0.0);
     geometry.SetIdentityDirection();
     // Tiles may lie in one place; without this, a small file could stand for a large volume.
-    const std::uint64_t bytes = slices * m_Format.height * this->GetRowBytes();
+    const std::uint64_t bytes = slices * m_Format.height * this->GetRowSize();
     if (m_IsUnpacked && !m_Header.compressed && bytes / this->GetVoxelsPerByte() > m_Header.dataFileSize)
     {
       m_File.Refuse("it has " + std::to_string(m_Header.dataFileSize) + " bytes, its voxels have " +
@@ -424,7 +424,7 @@ private:
   }
 
   std::uint64_t
-  GetRowBytes() const
+  GetRowSize() const
   {
     return std::uint64_t{ m_Format.width } * GetTraits(m_Header.pixelType).bytes;
   }

@@ -26,9 +26,9 @@ public:
   explicit TiffRows(const VolumeHeader & header)
   try
     : m_Size(header.geometry.size)
-    , m_RowBytes(m_Size[0] * GetTraits(header.pixelType).bytes)
-    , m_MaximumBytes(header.unpackBytes)
-    , m_File(header.fileName, std::max(TiffFile::MaximumBytesOfTable, header.unpackBytes))
+    , m_RowSize(m_Size[0] * GetTraits(header.pixelType).bytes)
+    , m_MaximumMemory(header.decoderMemory)
+    , m_File(header.fileName, std::max(TiffFile::MaximumTableSize, header.decoderMemory))
   {
     do
     {
@@ -49,7 +49,7 @@ public:
     {
       this->ReadBandOf(slice, row);
     }
-    return m_Voxels.data() + (row - m_FirstRow) * m_RowBytes;
+    return m_Voxels.data() + (row - m_FirstRow) * m_RowSize;
   }
 
   /** The same, of all slices. */
@@ -60,15 +60,15 @@ public:
   }
 
   std::uint64_t
-  GetRowBytes() const
+  GetRowSize() const
   {
-    return m_RowBytes;
+    return m_RowSize;
   }
 
   std::uint64_t
   GetNumberOfBytesRead() const
   {
-    return m_BytesRead;
+    return m_NumberOfBytesRead;
   }
 
 private:
@@ -89,13 +89,13 @@ private:
     }
     const TiffBands bands = m_File.GetBands();
     if (bands.width != m_Size[0] || bands.height != m_Size[1] || bands.rows == 0 ||
-        m_File.GetBytesToRead(row / bands.rows) > m_MaximumBytes)
+        m_File.GetBandMemory(row / bands.rows) > m_MaximumMemory)
     {
       m_File.Refuse("its slices changed while it was read");
     }
     const std::uint64_t band = row / bands.rows;
-    m_Voxels.resize(bands.GetRows(band) * m_RowBytes);
-    m_BytesRead += m_File.ReadBand(band, m_Voxels.data(), m_Voxels.size());
+    m_Voxels.resize(bands.GetRows(band) * m_RowSize);
+    m_NumberOfBytesRead += m_File.ReadBand(band, m_Voxels.data(), m_Voxels.size());
     m_FirstRow = band * bands.rows;
     m_Rows = bands.GetRows(band);
   }
@@ -105,15 +105,15 @@ private:
   }
 
   std::vector<std::uint64_t> m_Size;
-  std::uint64_t              m_RowBytes;
-  std::uint64_t              m_MaximumBytes;
+  std::uint64_t              m_RowSize;
+  std::uint64_t              m_MaximumMemory;
   TiffFile                   m_File;
   std::vector<std::uint64_t> m_Directories; ///< where that of each slice lies
   std::vector<char>          m_Voxels;      ///< of a band: m_Rows from m_FirstRow on in m_Slice
   std::uint64_t              m_Slice{ ~std::uint64_t{ 0 } };
   std::uint64_t              m_FirstRow{ 0 };
   std::uint64_t              m_Rows{ 0 };
-  std::uint64_t              m_BytesRead{ 0 };
+  std::uint64_t              m_NumberOfBytesRead{ 0 };
 };
 
 /** \class TiffStream
@@ -128,13 +128,13 @@ public:
   void
   Read(void * destination, std::uint64_t numberOfBytes) override
   {
-    const std::uint64_t rowBytes = m_Rows.GetRowBytes();
+    const std::uint64_t rowSize = m_Rows.GetRowSize();
     auto *              position = static_cast<char *>(destination);
     for (const std::uint64_t end = m_Done + numberOfBytes; m_Done < end;)
     {
-      const std::uint64_t inRow = m_Done % rowBytes;
-      const std::uint64_t count = std::min(end - m_Done, rowBytes - inRow);
-      position = std::copy_n(m_Rows.Get(m_Done / rowBytes) + inRow, count, position);
+      const std::uint64_t inRow = m_Done % rowSize;
+      const std::uint64_t count = std::min(end - m_Done, rowSize - inRow);
+      position = std::copy_n(m_Rows.Get(m_Done / rowSize) + inRow, count, position);
       m_Done += count;
     }
   }
@@ -168,7 +168,7 @@ public:
   Open(const VolumeHeader & header)
   {
     m_Rows = std::make_unique<TiffRows>(header);
-    m_VoxelBytes = GetTraits(header.pixelType).bytes;
+    m_ValueSize = GetTraits(header.pixelType).bytes;
   }
 
   std::uint64_t
@@ -193,15 +193,15 @@ public:
     {
       for (std::uint64_t row = first(1); row < first(1) + region.GetSize(1); ++row)
       {
-        const char * const source = m_Rows->Get(slice, row) + first(0) * m_VoxelBytes;
-        position = std::copy_n(source, region.GetSize(0) * m_VoxelBytes, position);
+        const char * const source = m_Rows->Get(slice, row) + first(0) * m_ValueSize;
+        position = std::copy_n(source, region.GetSize(0) * m_ValueSize, position);
       }
     }
   }
 
 private:
   std::unique_ptr<TiffRows> m_Rows;
-  std::uint64_t             m_VoxelBytes{ 0 };
+  std::uint64_t             m_ValueSize{ 0 };
 };
 
 } // namespace

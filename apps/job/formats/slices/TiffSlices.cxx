@@ -33,7 +33,7 @@ MakeHeader(const VolumeHeader & image)
   header.pixelType = image.pixelType;
   header.spacing = { { image.geometry.spacing[0], image.geometry.spacing[1] } };
   header.inMillimeters = image.geometry.inMillimeters;
-  header.decodeBytes = image.unpackBytes;
+  header.decoderMemory = image.decoderMemory;
   return header;
 }
 
@@ -48,7 +48,7 @@ ReadVoxels(const SliceHeader & expected, void * voxels)
 {
   const VolumeHeader image = ReadImage(expected.fileName);
   RequireSameSlice(expected, MakeHeader(image));
-  const std::uint64_t bytes = expected.GetVoxelBytes();
+  const std::uint64_t bytes = expected.GetDataSize();
   if (image.compressed || !image.liesInRows)
   {
     OpenTiffStream(image)->Read(voxels, bytes);

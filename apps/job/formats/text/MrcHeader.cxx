@@ -26,7 +26,7 @@ enum Field : std::size_t
   Angles = 52,
   AxisOrder = 64,
   SpaceGroup = 88,
-  ExtendedBytes = 92,
+  ExtendedHeaderSize = 92,
   ImodStamp = 152,
   ImodFlags = 156,
   Origin = 196,
@@ -34,7 +34,7 @@ enum Field : std::size_t
   MachineStamp = 212
 };
 
-constexpr std::size_t HeaderBytes = 1024;
+constexpr std::size_t HeaderSize = 1024;
 
 constexpr double AngstromsPerMillimeter = 1e7;
 
@@ -44,12 +44,12 @@ using Real = std::array<double, 3>;
 std::vector<unsigned char>
 ReadBytes(const std::filesystem::path & fileName)
 {
-  std::vector<unsigned char> bytes(HeaderBytes);
+  std::vector<unsigned char> bytes(HeaderSize);
   std::ifstream              file = OpenRegularFile(fileName);
   file.read(reinterpret_cast<char *>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   if (!file.good())
   {
-    RefuseHeader(fileName, "it is shorter than a header of MRC, " + std::to_string(HeaderBytes) + " bytes");
+    RefuseHeader(fileName, "it is shorter than a header of MRC, " + std::to_string(HeaderSize) + " bytes");
   }
   constexpr std::array<char, 3> map{ 'M', 'A', 'P' };
   if (!std::equal(map.begin(), map.end(), bytes.begin() + Map))
@@ -202,12 +202,12 @@ ReadGeometry(VolumeHeader & header, const BinaryHeader & fields)
 std::uint64_t
 ReadDataOffset(const std::filesystem::path & fileName, const BinaryHeader & fields)
 {
-  const auto extended = fields.Get<std::int32_t>(ExtendedBytes);
+  const auto extended = fields.Get<std::int32_t>(ExtendedHeaderSize);
   if (extended < 0)
   {
     RefuseHeader(fileName, "NSYMBT is " + std::to_string(extended) + "; it must be a whole number from 0 on");
   }
-  return HeaderBytes + static_cast<std::uint64_t>(extended);
+  return HeaderSize + static_cast<std::uint64_t>(extended);
 }
 
 VolumeHeader

@@ -18,16 +18,16 @@ namespace
 // Window of 2^15 bytes, and recognition of both zlib's and gzip's header.
 constexpr int    WindowBits = 15 + 32;
 constexpr int    BareWindowBits = -15;
-constexpr size_t ChunkBytes = size_t{ 1 } << 20;
+constexpr size_t ChunkSize = size_t{ 1 } << 20;
 /** With which a packed stream begins. */
-constexpr unsigned long BytesOfMark = 2;
+constexpr unsigned long MarkSize = 2;
 } // namespace
 
 struct InflateReader::State
 {
   std::filesystem::path      fileName;
   std::ifstream              file;
-  std::vector<unsigned char> chunk = std::vector<unsigned char>(ChunkBytes);
+  std::vector<unsigned char> chunk = std::vector<unsigned char>(ChunkSize);
   z_stream                   stream{};
   std::uint64_t              bytesRead{ 0 };
   bool                       atEndOfStream{ false };
@@ -68,8 +68,7 @@ struct InflateReader::State
     atEndOfStream = result == Z_STREAM_END;
     if (!atEndOfStream && result != Z_OK && result != Z_BUF_ERROR)
     {
-      Refuse(stream.total_in <= BytesOfMark && stream.total_out == 0 ? "are not packed by gzip or zlib"
-                                                                     : "are damaged");
+      Refuse(stream.total_in <= MarkSize && stream.total_out == 0 ? "are not packed by gzip or zlib" : "are damaged");
     }
   }
 
@@ -119,7 +118,7 @@ InflateReader::Read(void * destination, std::uint64_t numberOfBytes)
 void
 InflateReader::Skip(std::uint64_t numberOfBytes)
 {
-  std::vector<unsigned char> dropped(std::min<std::uint64_t>(numberOfBytes, ChunkBytes));
+  std::vector<unsigned char> dropped(std::min<std::uint64_t>(numberOfBytes, ChunkSize));
   while (numberOfBytes > 0)
   {
     const std::uint64_t count = std::min<std::uint64_t>(numberOfBytes, dropped.size());

@@ -40,11 +40,11 @@ struct SliceHeader
   bool                                 inMillimeters{ false };  ///< its spacing
   bool                                 isDistanceKnown{ true }; ///< of its place to that of others
   std::optional<std::int64_t>          number;                  ///< of the DICOM instance
-  std::optional<std::array<double, 2>> padding;          ///< of DICOM: from and to, of values that are no measurement
-  std::string                          acquisition;      ///< of DICOM: what tells scans of one series apart
-  std::string                          series;           ///< instance UID of the DICOM series; empty: none
-  std::string                          description;      ///< of the series
-  std::uint64_t                        decodeBytes{ 0 }; ///< memory that decoding takes beside the slice
+  std::optional<std::array<double, 2>> padding;            ///< of DICOM: from and to, of values that are no measurement
+  std::string                          acquisition;        ///< of DICOM: what tells scans of one series apart
+  std::string                          series;             ///< instance UID of the DICOM series; empty: none
+  std::string                          description;        ///< of the series
+  std::uint64_t                        decoderMemory{ 0 }; ///< memory that decoding takes beside the slice
 
   /** Of DICOM: where the image is in the file. */
   std::shared_ptr<const DicomFrame> frame;
@@ -58,7 +58,7 @@ struct SliceHeader
   }
 
   std::uint64_t
-  GetVoxelBytes() const
+  GetDataSize() const
   {
     return size[0] * size[1] * GetTraits(pixelType).bytes;
   }
@@ -83,7 +83,7 @@ struct SliceFormat
   void (*readVoxels)(const SliceHeader &, void *);
 
   /** Memory that reading takes once, for the libraries. */
-  std::uint64_t libraryBytes;
+  std::uint64_t libraryMemory;
 
   /** What to build the program with to read the format; empty: it reads it. */
   const char * remedy{ "" };

@@ -104,7 +104,7 @@ struct VolumeWriter
   std::uint64_t (*getRowsOfLayer)(const VolumeGeometry &, const VoxelLayout &){ nullptr };
 
   /** Bytes that are written beside the voxels, when nothing is packed. Null: next to none. */
-  std::uint64_t (*getFurtherBytes)(const VolumeGeometry &, const VoxelLayout &){ nullptr };
+  std::uint64_t (*getFurtherSize)(const VolumeGeometry &, const VoxelLayout &){ nullptr };
 };
 
 /** A format of volumes: a row of the table in VolumeFormats.cxx, which all that lists formats reads. */

@@ -16,20 +16,20 @@ namespace medialvoxel
 #ifdef MEDIALVOXEL_WITH_BLOSC
 
 std::vector<char>
-PackInMemory(const std::vector<char> & values, std::uint64_t valueBytes, std::vector<char> & workspace)
+PackInMemory(const std::vector<char> & values, std::uint64_t valueSize, std::vector<char> & workspace)
 {
   constexpr int fastest = 1;
-  constexpr int blockBytes = 1 << 16; // a part is unpacked in whole blocks
+  constexpr int blockSize = 1 << 16; // a part is unpacked in whole blocks
   workspace.resize(values.size() + BLOSC_MAX_OVERHEAD);
   const int bytes = blosc_compress_ctx(fastest,
                                        BLOSC_SHUFFLE,
-                                       valueBytes,
+                                       valueSize,
                                        values.size(),
                                        values.data(),
                                        workspace.data(),
                                        workspace.size(),
                                        BLOSC_LZ4_COMPNAME,
-                                       blockBytes,
+                                       blockSize,
                                        1);
   if (bytes <= 0)
   {
@@ -40,13 +40,13 @@ PackInMemory(const std::vector<char> & values, std::uint64_t valueBytes, std::ve
 
 void
 UnpackFromMemory(const std::vector<char> & packed,
-                 std::uint64_t             valueBytes,
+                 std::uint64_t             valueSize,
                  std::uint64_t             first,
                  std::uint64_t             count,
                  char *                    target)
 {
   const int bytes = blosc_getitem(packed.data(), static_cast<int>(first), static_cast<int>(count), target);
-  if (bytes < 0 || static_cast<std::uint64_t>(bytes) != count * valueBytes)
+  if (bytes < 0 || static_cast<std::uint64_t>(bytes) != count * valueSize)
   {
     Fail(ExitStatus::Failure, "cannot unpack what was packed in memory");
   }
@@ -62,12 +62,12 @@ PackInMemory(const std::vector<char> & values, std::uint64_t, std::vector<char> 
 
 void
 UnpackFromMemory(const std::vector<char> & packed,
-                 std::uint64_t             valueBytes,
+                 std::uint64_t             valueSize,
                  std::uint64_t             first,
                  std::uint64_t             count,
                  char *                    target)
 {
-  std::memcpy(target, packed.data() + first * valueBytes, count * valueBytes);
+  std::memcpy(target, packed.data() + first * valueSize, count * valueSize);
 }
 
 #endif

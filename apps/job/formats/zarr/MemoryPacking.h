@@ -10,21 +10,21 @@ namespace medialvoxel
 {
 
 /** Packs values that are needed again, with LZ4, of which any part is unpacked alone; without libblosc a copy.
- * \param valueBytes of one of them
+ * \param valueSize of one of them
  * \param workspace what was in it is lost */
 std::vector<char>
-PackInMemory(const std::vector<char> & values, std::uint64_t valueBytes, std::vector<char> & workspace);
+PackInMemory(const std::vector<char> & values, std::uint64_t valueSize, std::vector<char> & workspace);
 
 /** Unpacks \a count values from the \a first on. */
 void
 UnpackFromMemory(const std::vector<char> & packed,
-                 std::uint64_t             valueBytes,
+                 std::uint64_t             valueSize,
                  std::uint64_t             first,
                  std::uint64_t             count,
                  char *                    target);
 
 /** Memory that packing takes beside values and workspace. */
-constexpr std::uint64_t BytesOfMemoryPacking = std::uint64_t{ 1 } << 21;
+constexpr std::uint64_t PackingMemory = std::uint64_t{ 1 } << 21;
 
 } // end namespace medialvoxel
 

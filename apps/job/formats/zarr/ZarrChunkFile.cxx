@@ -15,10 +15,10 @@ namespace
 
 /** Bytes of a packed chunk at most. */
 std::uint64_t
-GetPackedBytes(ZarrCompression compression, std::uint64_t numberOfBytes)
+GetPackedSize(ZarrCompression compression, std::uint64_t numberOfBytes)
 {
   const ZarrCodec * const codec = GetZarrCodec(compression);
-  return codec == nullptr ? 0 : codec->getMostBytes(numberOfBytes);
+  return codec == nullptr ? 0 : codec->getMaximumSize(numberOfBytes);
 }
 
 /** Makes a folder and those that it is in; false on failure, with errno. The folder of the whole volume is not made:
@@ -52,13 +52,13 @@ MakeFile(const std::filesystem::path & name, FileAccess access)
 
 ZarrChunkWriter::ZarrChunkWriter(ZarrCompression     compression,
                                  std::uint64_t       numberOfBytes,
-                                 std::uint64_t       valueBytes,
+                                 std::uint64_t       valueSize,
                                  const std::string & process)
   : m_Compression(compression)
   , m_NumberOfBytes(numberOfBytes)
-  , m_ValueBytes(valueBytes)
+  , m_ValueSize(valueSize)
   , m_PartialExtension((process.empty() ? "" : "." + process) + PartialExtension)
-  , m_Packed(GetPackedBytes(compression, numberOfBytes))
+  , m_Packed(GetPackedSize(compression, numberOfBytes))
 {}
 
 std::filesystem::path
@@ -77,11 +77,11 @@ ZarrChunkWriter::GiveName(const std::filesystem::path & chunkFile) const
 }
 
 std::uint64_t
-ZarrChunkWriter::GetMemoryBytes(ZarrCompression compression, std::uint64_t numberOfBytes)
+ZarrChunkWriter::GetMemory(ZarrCompression compression, std::uint64_t numberOfBytes)
 {
   // Measured on whole runs: what zlib and zstd take at their levels.
   constexpr std::uint64_t workspace = std::uint64_t{ 1 } << 22;
-  return compression == ZarrCompression::None ? 0 : GetPackedBytes(compression, numberOfBytes) + workspace;
+  return compression == ZarrCompression::None ? 0 : GetPackedSize(compression, numberOfBytes) + workspace;
 }
 
 std::pair<const char *, std::uint64_t>
@@ -97,7 +97,7 @@ ZarrChunkWriter::Pack(const std::filesystem::path & chunkFile, const char * chun
   {
     return { m_PackedZeros.data(), m_PackedZeros.size() };
   }
-  const auto bytes = codec->pack({ chunk, m_NumberOfBytes }, m_ValueBytes, m_Packed.data(), m_Packed.size());
+  const auto bytes = codec->pack({ chunk, m_NumberOfBytes }, m_ValueSize, m_Packed.data(), m_Packed.size());
   if (!bytes)
   {
     Fail(ExitStatus::Failure, "cannot pack ", chunkFile.string(), ": out of memory");
@@ -139,7 +139,7 @@ ZarrChunkWriter::WritePart(const std::filesystem::path & chunkFile,
                            bool                          isFirst) const
 {
   SystemFile file = MakeFile(this->GetPartialName(chunkFile), isFirst ? FileAccess::MakeEmpty : FileAccess::Make);
-  if ((isFirst && !file.SetSize(part.chunkBytes)) || !file.WriteAt(part.offset, bytes, part.numberOfBytes) ||
+  if ((isFirst && !file.SetSize(part.chunkSize)) || !file.WriteAt(part.offset, bytes, part.numberOfBytes) ||
       !file.Close())
   {
     FailWithErrno(ExitStatus::Failure, "write", chunkFile);
@@ -192,10 +192,10 @@ OpenZarrChunks(const std::filesystem::path & chunkFile)
 void
 AddZarrChunk(const std::filesystem::path & chunkFile, Checksum & checksum)
 {
-  constexpr std::uint64_t bufferBytes = std::uint64_t{ 1 } << 20;
+  constexpr std::uint64_t bufferSize = std::uint64_t{ 1 } << 20;
   const auto              file = OpenZarrChunks(chunkFile);
   const std::uint64_t     numberOfBytes = file ? file->GetSize() : 0;
-  std::vector<char>       buffer(std::min(numberOfBytes, bufferBytes));
+  std::vector<char>       buffer(std::min(numberOfBytes, bufferSize));
   for (std::uint64_t offset = 0; offset < numberOfBytes; offset += buffer.size())
   {
     const std::uint64_t count = std::min<std::uint64_t>(buffer.size(), numberOfBytes - offset);

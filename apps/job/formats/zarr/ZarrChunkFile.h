@@ -24,7 +24,7 @@ struct ZarrChunkPart
 {
   std::uint64_t offset{ 0 };
   std::uint64_t numberOfBytes{ 0 };
-  std::uint64_t chunkBytes{ 0 }; ///< of the whole chunk
+  std::uint64_t chunkSize{ 0 }; ///< of the whole chunk
 };
 
 /** \class ZarrChunkWriter
@@ -36,16 +36,16 @@ class ZarrChunkWriter
 {
 public:
   /** \param numberOfBytes of a chunk, not packed
-   * \param valueBytes of one of its numbers
+   * \param valueSize of one of its numbers
    * \param process a text that differs where several processes might write a chunk at the same time */
   ZarrChunkWriter(ZarrCompression     compression,
                   std::uint64_t       numberOfBytes,
-                  std::uint64_t       valueBytes,
+                  std::uint64_t       valueSize,
                   const std::string & process);
 
   /** Memory that a writer takes. */
   static std::uint64_t
-  GetMemoryBytes(ZarrCompression compression, std::uint64_t numberOfBytes);
+  GetMemory(ZarrCompression compression, std::uint64_t numberOfBytes);
 
   /** \throw JobError Failure. */
   void
@@ -90,7 +90,7 @@ private:
 
   ZarrCompression   m_Compression;
   std::uint64_t     m_NumberOfBytes;
-  std::uint64_t     m_ValueBytes;
+  std::uint64_t     m_ValueSize;
   std::string       m_PartialExtension;
   std::vector<char> m_Packed;
   std::vector<char> m_PackedZeros; ///< of a chunk without anything else, as soon as there was one

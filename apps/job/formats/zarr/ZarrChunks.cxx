@@ -18,13 +18,13 @@ namespace
 {
 
 /** Memory of the indices of shards that are kept, and what the map takes for each beside its numbers. */
-constexpr std::uint64_t BytesOfKeptIndices = std::uint64_t{ 1 } << 23;
-constexpr std::uint64_t BytesBesideIndex = 256;
+constexpr std::uint64_t IndexCacheSize = std::uint64_t{ 1 } << 23;
+constexpr std::uint64_t IndexOverhead = 256;
 
 std::uint64_t
 GetMostIndices(const ZarrShards & shards)
 {
-  return std::max<std::uint64_t>(1, BytesOfKeptIndices / (shards.GetIndexBytes() + BytesBesideIndex));
+  return std::max<std::uint64_t>(1, IndexCacheSize / (shards.GetIndexSize() + IndexOverhead));
 }
 
 /** Brings the voxels of a chunk into the order with x fastest. */
@@ -63,32 +63,32 @@ ZarrChunks::ZarrChunks(const std::filesystem::path & folder, ZarrArray array, st
   : m_Folder(folder)
   , m_Array(std::move(array))
   , m_ShardGrid(m_Array.GetShardGrid())
-  , m_BytesToKeep(bytesToKeep)
+  , m_CacheSize(bytesToKeep)
 {}
 
 ZarrChunks::Buffers
 ZarrChunks::MakeBuffers() const
 {
-  return { ZarrUnpacker(m_Array.codecs, m_Array.grid.GetChunkBytes()), {}, {} };
+  return { ZarrUnpacker(m_Array.codecs, m_Array.grid.GetChunkSize()), {}, {} };
 }
 
 std::uint64_t
-ZarrChunks::GetBufferBytes(const ZarrArray & array)
+ZarrChunks::GetBufferMemory(const ZarrArray & array)
 {
-  const std::uint64_t chunk = array.grid.GetChunkBytes();
-  return ZarrUnpacker::GetMemoryBytes(array.codecs, chunk) + (array.IsTransposed() ? chunk : 0) +
-         (array.shards ? array.shards->GetIndexBytes() : 0) + BytesOfMemoryPacking;
+  const std::uint64_t chunk = array.grid.GetChunkSize();
+  return ZarrUnpacker::GetMemory(array.codecs, chunk) + (array.IsTransposed() ? chunk : 0) +
+         (array.shards ? array.shards->GetIndexSize() : 0) + PackingMemory;
 }
 
 std::uint64_t
-ZarrChunks::GetIndexBytes(const ZarrArray & array)
+ZarrChunks::GetIndexSize(const ZarrArray & array)
 {
   if (!array.shards)
   {
     return 0;
   }
   const std::uint64_t indices = std::min(array.GetShardGrid().GetNumberOfAllChunks(), GetMostIndices(*array.shards));
-  return indices * (array.shards->GetIndexBytes() + BytesBesideIndex);
+  return indices * (array.shards->GetIndexSize() + IndexOverhead);
 }
 
 const char *
@@ -97,11 +97,11 @@ ZarrChunks::Read(std::uint64_t component, const ZarrIndex & index, const Slices 
   const ZarrGrid &    grid = m_Array.grid;
   const std::uint64_t number = this->GetNumber(grid, component, index);
   const std::uint64_t perSlice = grid.chunk[0] * grid.chunk[1];
-  const std::uint64_t valueBytes = GetTraits(grid.layout.pixelType).bytes;
-  if (const Kept kept = m_BytesToKeep > 0 ? this->FindKept(number, slices.moreFollow) : nullptr)
+  const std::uint64_t valueSize = GetTraits(grid.layout.pixelType).bytes;
+  if (const Kept kept = m_CacheSize > 0 ? this->FindKept(number, slices.moreFollow) : nullptr)
   {
-    buffers.chunk.resize(slices.count * grid.GetPlaneBytes());
-    UnpackFromMemory(*kept, valueBytes, slices.first * perSlice, slices.count * perSlice, buffers.chunk.data());
+    buffers.chunk.resize(slices.count * grid.GetPlaneSize());
+    UnpackFromMemory(*kept, valueSize, slices.first * perSlice, slices.count * perSlice, buffers.chunk.data());
     return buffers.chunk.data();
   }
   const std::optional<Place> place = this->Find(component, index, buffers);
@@ -110,13 +110,13 @@ ZarrChunks::Read(std::uint64_t component, const ZarrIndex & index, const Slices 
     return nullptr;
   }
   this->Unpack(*place, buffers);
-  if (slices.moreFollow && m_BytesToKeep > 0)
+  if (slices.moreFollow && m_CacheSize > 0)
   {
     this->Keep(
       number,
-      std::make_shared<const std::vector<char>>(PackInMemory(buffers.chunk, valueBytes, buffers.unpacker.GetPacked())));
+      std::make_shared<const std::vector<char>>(PackInMemory(buffers.chunk, valueSize, buffers.unpacker.GetPacked())));
   }
-  return buffers.chunk.data() + slices.first * grid.GetPlaneBytes();
+  return buffers.chunk.data() + slices.first * grid.GetPlaneSize();
 }
 
 bool
@@ -127,8 +127,8 @@ ZarrChunks::ReadPart(const ZarrIndex & index, std::uint64_t offset, std::vector<
   {
     return false;
   }
-  const std::uint64_t chunkBytes = m_Array.grid.GetChunkBytes();
-  if (place->numberOfBytes != chunkBytes)
+  const std::uint64_t chunkSize = m_Array.grid.GetChunkSize();
+  if (place->numberOfBytes != chunkSize)
   {
     Fail(ExitStatus::CorruptInput,
          place->fileName.string(),
@@ -136,7 +136,7 @@ ZarrChunks::ReadPart(const ZarrIndex & index, std::uint64_t offset, std::vector<
          place->numberOfBytes,
          m_Array.shards ? " bytes for a chunk" : " bytes",
          "; the chunks of its array have ",
-         chunkBytes);
+         chunkSize);
   }
   if (!place->file->ReadAt(place->offset + offset, bytes.data(), bytes.size()))
   {
@@ -211,7 +211,7 @@ ZarrChunks::GetShardIndex(const ZarrIndex & shard, const std::filesystem::path &
   if (file)
   {
     *places = ReadZarrShardIndex(fileName, *file, *m_Array.shards);
-    buffers.bytesRead += m_Array.shards->GetIndexBytes();
+    buffers.bytesRead += m_Array.shards->GetIndexSize();
   }
   const std::lock_guard<std::mutex> lock(m_Mutex);
   while (m_ShardIndices.size() >= GetMostIndices(*m_Array.shards))
@@ -234,9 +234,9 @@ ZarrChunks::GetNumber(const ZarrGrid & grid, std::uint64_t component, const Zarr
 void
 ZarrChunks::Unpack(const Place & place, Buffers & buffers) const
 {
-  const std::uint64_t chunkBytes = m_Array.grid.GetChunkBytes();
-  const std::uint64_t most = buffers.unpacker.GetMostBytes();
-  if (place.numberOfBytes > most || (m_Array.codecs.empty() && place.numberOfBytes != chunkBytes))
+  const std::uint64_t chunkSize = m_Array.grid.GetChunkSize();
+  const std::uint64_t most = buffers.unpacker.GetMaximumSize();
+  if (place.numberOfBytes > most || (m_Array.codecs.empty() && place.numberOfBytes != chunkSize))
   {
     Fail(ExitStatus::CorruptInput,
          place.fileName.string(),
@@ -260,7 +260,7 @@ ZarrChunks::Unpack(const Place & place, Buffers & buffers) const
          " is damaged: its bytes cannot be unpacked by ",
          m_Array.packing,
          " to a chunk of ",
-         chunkBytes,
+         chunkSize,
          " bytes");
   }
   if (m_Array.IsTransposed())
@@ -283,7 +283,7 @@ ZarrChunks::FindKept(std::uint64_t number, bool isNeededAgain)
   Kept chunk = found->second;
   if (!isNeededAgain)
   {
-    m_KeptBytes -= chunk->size();
+    m_CachedSize -= chunk->size();
     m_Kept.erase(found);
   }
   return chunk;
@@ -295,15 +295,15 @@ ZarrChunks::Keep(std::uint64_t number, const Kept & chunk)
 {
   const std::uint64_t               perLayer = m_Array.grid.GetChunksPerLayer();
   const std::lock_guard<std::mutex> lock(m_Mutex);
-  while (!m_Kept.empty() && m_KeptBytes + chunk->size() > m_BytesToKeep &&
+  while (!m_Kept.empty() && m_CachedSize + chunk->size() > m_CacheSize &&
          m_Kept.begin()->first / perLayer < number / perLayer)
   {
-    m_KeptBytes -= m_Kept.begin()->second->size();
+    m_CachedSize -= m_Kept.begin()->second->size();
     m_Kept.erase(m_Kept.begin());
   }
-  if (m_KeptBytes + chunk->size() <= m_BytesToKeep && m_Kept.emplace(number, chunk).second)
+  if (m_CachedSize + chunk->size() <= m_CacheSize && m_Kept.emplace(number, chunk).second)
   {
-    m_KeptBytes += chunk->size();
+    m_CachedSize += chunk->size();
   }
 }
 

@@ -71,9 +71,9 @@ public:
 
   /** Memory of the buffers of a thread and of a chunk, and that of what is known of shards. */
   static std::uint64_t
-  GetBufferBytes(const ZarrArray & array);
+  GetBufferMemory(const ZarrArray & array);
   static std::uint64_t
-  GetIndexBytes(const ZarrArray & array);
+  GetIndexSize(const ZarrArray & array);
 
 private:
   /** Where the bytes of a chunk are. */
@@ -115,11 +115,11 @@ private:
   std::filesystem::path m_Folder;
   ZarrArray             m_Array;
   ZarrGrid              m_ShardGrid;
-  std::uint64_t         m_BytesToKeep;
+  std::uint64_t         m_CacheSize;
 
   std::mutex                          m_Mutex; ///< of what follows
   std::map<std::uint64_t, Kept>       m_Kept;  ///< slices that come first are first
-  std::uint64_t                       m_KeptBytes{ 0 };
+  std::uint64_t                       m_CachedSize{ 0 };
   std::map<std::uint64_t, ShardIndex> m_ShardIndices;
 };
 

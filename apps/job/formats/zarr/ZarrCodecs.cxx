@@ -33,8 +33,8 @@ using Count = std::optional<std::uint64_t>;
 std::uint64_t
 AllowGrowth(std::uint64_t bytes)
 {
-  constexpr std::uint64_t fixedBytes = std::uint64_t{ 1 } << 12;
-  return bytes + bytes / 64 + fixedBytes;
+  constexpr std::uint64_t overhead = std::uint64_t{ 1 } << 12;
+  return bytes + bytes / 64 + overhead;
 }
 
 std::uint64_t
@@ -51,7 +51,7 @@ NeedZlib(std::uint64_t)
 
 /** Unpacks zlib and gzip, also members of gzip that follow each other. */
 Count
-Inflate(const ZarrBytes & packed, char * target, std::uint64_t room)
+Inflate(const ZarrData & packed, char * target, std::uint64_t room)
 {
   constexpr int           anyHeader = 15 + 32;
   constexpr std::uint64_t bytesAtOnce = std::uint64_t{ 1 } << 22;
@@ -90,7 +90,7 @@ Inflate(const ZarrBytes & packed, char * target, std::uint64_t room)
 
 /** As gzip, whose header tells no time. */
 Count
-Deflate(const ZarrBytes & bytes, std::uint64_t, char * target, std::uint64_t room)
+Deflate(const ZarrData & bytes, std::uint64_t, char * target, std::uint64_t room)
 {
   constexpr int windowBitsOfGzip = 15 + 16;
   constexpr int memoryLevel = 8;
@@ -118,7 +118,7 @@ NeedBlosc(std::uint64_t bytes)
 }
 
 Count
-UnpackBlosc(const ZarrBytes & packed, char * target, std::uint64_t room)
+UnpackBlosc(const ZarrData & packed, char * target, std::uint64_t room)
 {
   std::size_t bytes = 0;
   if (packed.size < BLOSC_MIN_HEADER_LENGTH || blosc_cbuffer_validate(packed.data, packed.size, &bytes) != 0 ||
@@ -131,10 +131,10 @@ UnpackBlosc(const ZarrBytes & packed, char * target, std::uint64_t room)
 }
 
 Count
-PackBlosc(const ZarrBytes & bytes, std::uint64_t valueBytes, char * target, std::uint64_t room)
+PackBlosc(const ZarrData & bytes, std::uint64_t valueSize, char * target, std::uint64_t room)
 {
   const int done = blosc_compress_ctx(
-    ZarrBloscLevel, BLOSC_SHUFFLE, valueBytes, bytes.size, bytes.data, target, room, BLOSC_ZSTD_COMPNAME, 0, 1);
+    ZarrBloscLevel, BLOSC_SHUFFLE, valueSize, bytes.size, bytes.data, target, room, BLOSC_ZSTD_COMPNAME, 0, 1);
   return done > 0 ? Count(done) : std::nullopt;
 }
 
@@ -155,7 +155,7 @@ NeedZstd(std::uint64_t)
 }
 
 Count
-UnpackZstd(const ZarrBytes & packed, char * target, std::uint64_t room)
+UnpackZstd(const ZarrData & packed, char * target, std::uint64_t room)
 {
   const std::size_t done = ZSTD_decompress(target, room, packed.data, packed.size);
   return ZSTD_isError(done) != 0 ? std::nullopt : Count(done);
@@ -170,7 +170,7 @@ constexpr std::nullptr_t UnpackZstd = nullptr;
 
 /** Bytes with their checksum behind them. */
 Count
-UnpackCrc32c(const ZarrBytes & packed, char * target, std::uint64_t room)
+UnpackCrc32c(const ZarrData & packed, char * target, std::uint64_t room)
 {
   const auto bytes = CheckCrc32c({ packed.data, packed.size });
   if (!bytes || bytes->size() > room)
@@ -235,26 +235,26 @@ ListZarrCodecs(int version)
   return Join(names, ", ", [](const std::string & name) { return name; });
 }
 
-ZarrUnpacker::ZarrUnpacker(std::vector<const ZarrCodec *> codecs, std::uint64_t chunkBytes)
+ZarrUnpacker::ZarrUnpacker(std::vector<const ZarrCodec *> codecs, std::uint64_t chunkSize)
   : m_Codecs(std::move(codecs))
-  , m_MostBytes{ chunkBytes }
+  , m_MaximumSizes{ chunkSize }
 {
   for (const ZarrCodec * const codec : m_Codecs)
   {
-    m_MostBytes.push_back(codec->getMostBytes(m_MostBytes.back()));
+    m_MaximumSizes.push_back(codec->getMaximumSize(m_MaximumSizes.back()));
   }
 }
 
 std::uint64_t
-ZarrUnpacker::GetMemoryBytes(const std::vector<const ZarrCodec *> & codecs, std::uint64_t chunkBytes)
+ZarrUnpacker::GetMemory(const std::vector<const ZarrCodec *> & codecs, std::uint64_t chunkSize)
 {
   std::uint64_t workspace = 0;
   for (const ZarrCodec * const codec : codecs)
   {
-    workspace = std::max(workspace, codec->getWorkspace(chunkBytes));
+    workspace = std::max(workspace, codec->getWorkspace(chunkSize));
   }
   const std::uint64_t buffers = std::min<std::uint64_t>(codecs.size(), 2);
-  return chunkBytes + buffers * ZarrUnpacker(codecs, chunkBytes).GetMostBytes() + workspace;
+  return chunkSize + buffers * ZarrUnpacker(codecs, chunkSize).GetMaximumSize() + workspace;
 }
 
 bool
@@ -263,7 +263,7 @@ ZarrUnpacker::Unpack(std::vector<char> & chunk)
   for (std::size_t number = m_Codecs.size(); number > 0; --number)
   {
     std::vector<char> & target = number == 1 ? chunk : m_Between;
-    target.resize(m_MostBytes[number - 1]);
+    target.resize(m_MaximumSizes[number - 1]);
     const auto bytes = m_Codecs[number - 1]->unpack({ m_Packed.data(), m_Packed.size() }, target.data(), target.size());
     if (!bytes)
     {
@@ -279,7 +279,7 @@ ZarrUnpacker::Unpack(std::vector<char> & chunk)
   {
     chunk.swap(m_Packed);
   }
-  return chunk.size() == m_MostBytes.front();
+  return chunk.size() == m_MaximumSizes.front();
 }
 
 } // end namespace medialvoxel

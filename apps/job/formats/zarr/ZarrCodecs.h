@@ -14,7 +14,7 @@ namespace medialvoxel
 {
 
 /** Bytes that are packed, or to be packed. */
-struct ZarrBytes
+struct ZarrData
 {
   const char *  data{ nullptr };
   std::uint64_t size{ 0 };
@@ -30,20 +30,20 @@ struct ZarrCodec
   const char * neededLibrary;
 
   /** The most bytes that so many may be packed into; larger ones are refused before they are read. */
-  std::uint64_t (*getMostBytes)(std::uint64_t);
+  std::uint64_t (*getMaximumSize)(std::uint64_t);
 
   /** Memory that unpacking to so many bytes takes beside them. */
   std::uint64_t (*getWorkspace)(std::uint64_t);
 
   /** Unpacks to \a target, which has room for \a room bytes. \return their number; nothing for damaged bytes, or for
    * more of them. Null: the program was built without the library. */
-  std::optional<std::uint64_t> (*unpack)(const ZarrBytes & packed, char * target, std::uint64_t room);
+  std::optional<std::uint64_t> (*unpack)(const ZarrData & packed, char * target, std::uint64_t room);
 
   /** The other way; nothing when memory is short. Null: it is only read. */
-  std::optional<std::uint64_t> (*pack)(const ZarrBytes & bytes,
-                                       std::uint64_t     valueBytes,
-                                       char *            target,
-                                       std::uint64_t     room);
+  std::optional<std::uint64_t> (*pack)(const ZarrData & bytes,
+                                       std::uint64_t    valueSize,
+                                       char *           target,
+                                       std::uint64_t    room);
 };
 
 /** Of a name in the metadata of a version of Zarr, 2 or 3; null for one that is not read. */
@@ -70,17 +70,17 @@ class ZarrUnpacker
 {
 public:
   /** \param codecs in the order in which they packed; all can unpack */
-  ZarrUnpacker(std::vector<const ZarrCodec *> codecs, std::uint64_t chunkBytes);
+  ZarrUnpacker(std::vector<const ZarrCodec *> codecs, std::uint64_t chunkSize);
 
   /** Memory that one takes, with the chunk. */
   static std::uint64_t
-  GetMemoryBytes(const std::vector<const ZarrCodec *> & codecs, std::uint64_t chunkBytes);
+  GetMemory(const std::vector<const ZarrCodec *> & codecs, std::uint64_t chunkSize);
 
   /** The most bytes that a packed chunk can have. */
   std::uint64_t
-  GetMostBytes() const
+  GetMaximumSize() const
   {
-    return m_MostBytes.back();
+    return m_MaximumSizes.back();
   }
 
   /** Where the bytes of a packed chunk are put before Unpack(). */
@@ -96,7 +96,7 @@ public:
 
 private:
   std::vector<const ZarrCodec *> m_Codecs;
-  std::vector<std::uint64_t>     m_MostBytes; ///< before the first codec, and after each
+  std::vector<std::uint64_t>     m_MaximumSizes; ///< before the first codec, and after each
   std::vector<char>              m_Packed;
   std::vector<char>              m_Between; ///< two codecs
 };

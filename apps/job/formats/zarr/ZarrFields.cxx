@@ -234,24 +234,24 @@ ZarrFields::AddCodec(const Json & name, const Json & options, int version, ZarrA
 }
 
 void
-ZarrFields::CheckChunkBytes(const ZarrArray & array) const
+ZarrFields::CheckChunkSize(const ZarrArray & array) const
 {
   // Memory is taken for whole chunks, also for those without a file: they must not be much larger than the array.
   constexpr std::uint64_t alwaysAllowed = std::uint64_t{ 1 } << 26;
   constexpr std::uint64_t allowedRatio = 8;
   const ZarrGrid &        grid = array.grid;
-  std::uint64_t           usedBytes = GetTraits(grid.layout.pixelType).bytes;
+  std::uint64_t           usedSize = GetTraits(grid.layout.pixelType).bytes;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    usedBytes *= std::min(grid.chunk[axis], grid.size[axis]);
+    usedSize *= std::min(grid.chunk[axis], grid.size[axis]);
   }
-  const std::string bytes = std::to_string(grid.GetChunkBytes());
-  if (grid.GetChunkBytes() > alwaysAllowed && grid.GetChunkBytes() / allowedRatio > usedBytes)
+  const std::string bytes = std::to_string(grid.GetChunkSize());
+  if (grid.GetChunkSize() > alwaysAllowed && grid.GetChunkSize() / allowedRatio > usedSize)
   {
-    this->Refuse("its chunks have " + bytes + " bytes, of which the array uses " + std::to_string(usedBytes) +
+    this->Refuse("its chunks have " + bytes + " bytes, of which the array uses " + std::to_string(usedSize) +
                  "; chunks above 64 MiB must be at most 8 times as large as what is used");
   }
-  if (!array.IsPlain() && grid.GetChunkBytes() > LargestPackedChunk)
+  if (!array.IsPlain() && grid.GetChunkSize() > LargestPackedChunk)
   {
     this->Refuse("its chunks have " + bytes + " bytes; those that are packed or transposed must have " +
                  std::to_string(LargestPackedChunk) + " at most");

@@ -27,8 +27,8 @@ public:
   static auto
   WithJson(const Path & fileName, TFunction && function)
   {
-    constexpr std::uint64_t maximumBytes = std::uint64_t{ 1 } << 22;
-    const Json              value = ReadJsonFile(fileName, maximumBytes);
+    constexpr std::uint64_t maximumSize = std::uint64_t{ 1 } << 22;
+    const Json              value = ReadJsonFile(fileName, maximumSize);
     try
     {
       return function(value);
@@ -92,7 +92,7 @@ public:
 
   /** Refuses what takes too much memory, once all else is set. */
   void
-  CheckChunkBytes(const ZarrArray & array) const;
+  CheckChunkSize(const ZarrArray & array) const;
 
 private:
   std::vector<std::uint64_t>

@@ -64,15 +64,15 @@ struct ZarrGrid
 
   /** Bytes of one slice of a chunk. */
   std::uint64_t
-  GetPlaneBytes() const
+  GetPlaneSize() const
   {
     return chunk[0] * chunk[1] * GetTraits(layout.pixelType).bytes;
   }
 
   std::uint64_t
-  GetChunkBytes() const
+  GetChunkSize() const
   {
-    return GetPlaneBytes() * chunk[2];
+    return GetPlaneSize() * chunk[2];
   }
 
   /** Name in the folder of the array. \param index of the chunk, not of a voxel */

@@ -317,11 +317,11 @@ DescribeChunks(const ZarrArray & array)
   chunks.size = grid.chunk;
   chunks.packing = array.packing;
   chunks.inShards = array.shards.has_value();
-  chunks.bytesPerThread = GetZarrThreadBytes(array);
-  chunks.bytesOfIndices = ZarrChunks::GetIndexBytes(array);
+  chunks.bytesPerThread = GetZarrThreadMemory(array);
+  chunks.bytesOfIndices = ZarrChunks::GetIndexSize(array);
   // Rows that are stored one by one are read when they are needed.
   chunks.bytesPerLayer =
-    array.IsPlain() ? 0 : grid.GetNumberOfChunks(0) * grid.GetNumberOfChunks(1) * grid.GetChunkBytes();
+    array.IsPlain() ? 0 : grid.GetNumberOfChunks(0) * grid.GetNumberOfChunks(1) * grid.GetChunkSize();
   return chunks;
 }
 
@@ -386,7 +386,7 @@ MakeZarrFormat()
   };
   writer.packsChunks = true;
   writer.getMemory = [](const VolumeGeometry & geometry, const VoxelLayout & layout, const JobOptions & options) {
-    return ZarrVolume::GetMemoryBytes(geometry, layout, options.zarrCompression);
+    return ZarrVolume::GetMemory(geometry, layout, options.zarrCompression);
   };
   writer.getSlicesOfLayer = [](const VolumeGeometry & geometry, const VoxelLayout & layout) {
     return ZarrGrid::ForVolume(geometry, layout).chunk[2];
@@ -394,7 +394,7 @@ MakeZarrFormat()
   writer.getRowsOfLayer = [](const VolumeGeometry & geometry, const VoxelLayout & layout) {
     return geometry.GetDimension() == 3 ? ZarrGrid::ForVolume(geometry, layout).chunk[1] : 0;
   };
-  writer.getFurtherBytes = ZarrVolume::GetBytesOfSmallerLevels;
+  writer.getFurtherSize = ZarrVolume::GetSizeOfSmallerLevels;
   return { "Zarr", { { ".zarr" } }, input, writer };
 }
 

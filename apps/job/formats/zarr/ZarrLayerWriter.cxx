@@ -22,13 +22,13 @@ ZarrLayerWriter::ZarrLayerWriter(const ZarrGrid &              grid,
   , m_Writer(writer)
   , m_Reserve(reserve)
   , m_ChunkFile(std::move(chunkFile))
-  , m_Chunk(grid.GetChunkBytes())
+  , m_Chunk(grid.GetChunkSize())
 {}
 
 void
 ZarrLayerWriter::Write(const SliceRange & slices, const RowRange & rows, const char * voxels)
 {
-  const std::uint64_t sliceBytes = m_Grid.size[0] * (rows.end - rows.begin) * m_Grid.layout.GetBytes();
+  const std::uint64_t sliceSize = m_Grid.size[0] * (rows.end - rows.begin) * m_Grid.layout.GetBytes();
   for (std::uint64_t begin = slices.begin; begin < slices.end;)
   {
     const std::uint64_t layer = begin / m_Grid.chunk[2];
@@ -50,7 +50,7 @@ ZarrLayerWriter::Write(const SliceRange & slices, const RowRange & rows, const c
       this->CompleteLayer(layer);
       m_OpenLayers.erase(layer);
     }
-    voxels += (end - begin) * sliceBytes;
+    voxels += (end - begin) * sliceSize;
     begin = end;
   }
 }
@@ -110,7 +110,7 @@ void
 ZarrLayerWriter::WriteChunks(std::uint64_t layer, const RowRange & rows, const char * voxels)
 {
   const std::uint64_t slices = m_Grid.GetBox({ 0, 0, layer }).size[2];
-  const std::uint64_t bytes = slices * m_Grid.GetPlaneBytes();
+  const std::uint64_t bytes = slices * m_Grid.GetPlaneSize();
   this->ForEachChunk(layer, rows, [&](std::uint64_t component, const ZarrIndex & index, State & state) {
     state = State::Complete;
     GatherSlices(m_Grid, component, index[0], index[1], slices, rows, voxels, m_Chunk.data());
@@ -126,10 +126,10 @@ ZarrLayerWriter::WriteChunks(std::uint64_t layer, const RowRange & rows, const c
 void
 ZarrLayerWriter::WriteParts(std::uint64_t layer, const SliceRange & slices, const RowRange & rows, const char * voxels)
 {
-  const std::uint64_t planeBytes = m_Grid.GetPlaneBytes();
+  const std::uint64_t planeSize = m_Grid.GetPlaneSize();
   const std::uint64_t count = slices.end - slices.begin;
-  const std::uint64_t bytes = count * planeBytes;
-  const std::uint64_t offset = (slices.begin - layer * m_Grid.chunk[2]) * planeBytes;
+  const std::uint64_t bytes = count * planeSize;
+  const std::uint64_t offset = (slices.begin - layer * m_Grid.chunk[2]) * planeSize;
   this->ForEachChunk(layer, rows, [&](std::uint64_t component, const ZarrIndex & index, State & state) {
     GatherSlices(m_Grid, component, index[0], index[1], count, rows, voxels, m_Chunk.data());
     if (!IsAllZero(m_Chunk.data(), bytes))

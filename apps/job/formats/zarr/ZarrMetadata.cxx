@@ -83,7 +83,7 @@ IsIdentity(const std::vector<std::vector<double>> & direction)
 Json
 MakeCompressor(ZarrCompression compression)
 {
-  constexpr int shuffleBytes = 1;
+  constexpr int byteShuffle = 1;
   constexpr int chosenByBlosc = 0;
   switch (compression)
   {
@@ -95,7 +95,7 @@ MakeCompressor(ZarrCompression compression)
       return { { "id", "blosc" },
                { "cname", "zstd" },
                { "clevel", ZarrBloscLevel },
-               { "shuffle", shuffleBytes },
+               { "shuffle", byteShuffle },
                { "blocksize", chosenByBlosc } };
   }
   return nullptr;

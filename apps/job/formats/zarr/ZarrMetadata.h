@@ -64,7 +64,7 @@ struct ZarrShards
   }
 
   std::uint64_t
-  GetIndexBytes() const
+  GetIndexSize() const
   {
     constexpr std::uint64_t bytesPerChunk = 16;
     constexpr std::uint64_t bytesOfChecksum = 4;

@@ -122,7 +122,7 @@ ZarrPyramid::Write(const ZarrLevel & from, const ZarrLevel & to)
 {
   ZarrChunks        chunks(m_Folder / from.folder, MakeZarrArray(from.grid, m_Compression), 0);
   auto              buffers = chunks.MakeBuffers();
-  std::vector<char> half(to.grid.GetChunkBytes());
+  std::vector<char> half(to.grid.GetChunkSize());
   std::uint64_t     numberOfFiles = 0;
   ForEachChunk(to.grid, { { 0, 0, 0 }, to.grid.size }, [&](std::uint64_t component, const ZarrIndex & index) {
     bool isEmpty = true;

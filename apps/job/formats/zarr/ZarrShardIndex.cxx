@@ -13,14 +13,14 @@ namespace
 {
 
 void
-CheckPlaces(const std::filesystem::path & fileName, std::uint64_t fileBytes, const std::vector<std::uint64_t> & places)
+CheckPlaces(const std::filesystem::path & fileName, std::uint64_t fileSize, const std::vector<std::uint64_t> & places)
 {
   for (std::size_t i = 0; i < places.size(); i += 2)
   {
     const std::uint64_t offset = places[i];
     const std::uint64_t bytes = places[i + 1];
     const bool          isMissing = offset == MissingInShard && bytes == MissingInShard;
-    if (!isMissing && (offset > fileBytes || bytes > fileBytes - offset))
+    if (!isMissing && (offset > fileSize || bytes > fileSize - offset))
     {
       Fail(ExitStatus::CorruptInput,
            fileName.string(),
@@ -31,7 +31,7 @@ CheckPlaces(const std::filesystem::path & fileName, std::uint64_t fileBytes, con
            " with ",
            bytes,
            " bytes; the file has ",
-           fileBytes);
+           fileSize);
     }
   }
 }
@@ -41,25 +41,25 @@ CheckPlaces(const std::filesystem::path & fileName, std::uint64_t fileBytes, con
 std::vector<std::uint64_t>
 ReadZarrShardIndex(const std::filesystem::path & fileName, const SystemFile & file, const ZarrShards & shards)
 {
-  const std::uint64_t indexBytes = shards.GetIndexBytes();
-  const std::uint64_t fileBytes = file.GetSize();
-  if (fileBytes < indexBytes)
+  const std::uint64_t indexSize = shards.GetIndexSize();
+  const std::uint64_t fileSize = file.GetSize();
+  if (fileSize < indexSize)
   {
     Fail(ExitStatus::CorruptInput,
          fileName.string(),
          " has ",
-         fileBytes,
+         fileSize,
          " bytes; the index of a shard of its array has ",
-         indexBytes);
+         indexSize);
   }
   constexpr std::uint64_t    numbersPerChunk = 2;
-  std::vector<std::uint64_t> places((indexBytes + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t));
+  std::vector<std::uint64_t> places((indexSize + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t));
   auto * const               bytes = reinterpret_cast<char *>(places.data());
-  if (!file.ReadAt(shards.indexAtStart ? 0 : fileBytes - indexBytes, bytes, indexBytes))
+  if (!file.ReadAt(shards.indexAtStart ? 0 : fileSize - indexSize, bytes, indexSize))
   {
     FailWithErrno(ExitStatus::Failure, "read", fileName);
   }
-  if (shards.indexHasChecksum && !CheckCrc32c({ bytes, indexBytes }))
+  if (shards.indexHasChecksum && !CheckCrc32c({ bytes, indexSize }))
   {
     Fail(ExitStatus::CorruptInput, fileName.string(), ": the checksum of its index is wrong");
   }
@@ -67,7 +67,7 @@ ReadZarrShardIndex(const std::filesystem::path & fileName, const SystemFile & fi
   using Swapper = itk::ByteSwapper<std::uint64_t>;
   shards.indexIsBigEndian ? Swapper::SwapRangeFromSystemToBigEndian(places.data(), places.size())
                           : Swapper::SwapRangeFromSystemToLittleEndian(places.data(), places.size());
-  CheckPlaces(fileName, fileBytes, places);
+  CheckPlaces(fileName, fileSize, places);
   return places;
 }
 

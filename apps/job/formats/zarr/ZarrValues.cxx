@@ -14,10 +14,10 @@ namespace
 {
 
 /** Bytes of a chunk that is not packed that are read at once; a row of it at least. */
-constexpr std::uint64_t BytesAtOnce = std::uint64_t{ 1 } << 20;
+constexpr std::uint64_t BlockSize = std::uint64_t{ 1 } << 20;
 
 std::uint64_t
-GetRowBytes(const ZarrGrid & grid)
+GetRowSize(const ZarrGrid & grid)
 {
   return grid.chunk[0] * GetTraits(grid.layout.pixelType).bytes;
 }
@@ -38,7 +38,7 @@ public:
     : m_Chunks(std::move(chunks))
     , m_Array(m_Chunks->GetArray())
     , m_Buffers(m_Chunks->MakeBuffers())
-    , m_FillRow(GetRowBytes(m_Array.grid))
+    , m_FillRow(GetRowSize(m_Array.grid))
   {
     FillChunk(m_Array, m_FillRow);
   }
@@ -46,14 +46,14 @@ public:
   void
   Read(const itk::MedialVoxelBox & box, void * values) override
   {
-    const std::uint64_t valueBytes = GetTraits(m_Array.grid.layout.pixelType).bytes;
+    const std::uint64_t valueSize = GetTraits(m_Array.grid.layout.pixelType).bytes;
     this->ForEachPart(box, [&](const itk::MedialVoxelBox & part) {
       const ValueView view = this->Look(part);
       itk::MedialVoxelForEachRow(part, view.strides, [&](const std::int64_t offset, const itk::MedialVoxelBox & row) {
         const auto first = static_cast<std::uint64_t>(box.OffsetOf(row.lower));
-        std::memcpy(static_cast<char *>(values) + first * valueBytes,
-                    static_cast<const char *>(view.values) + static_cast<std::uint64_t>(offset) * valueBytes,
-                    static_cast<std::uint64_t>(row.Extent(0)) * valueBytes);
+        std::memcpy(static_cast<char *>(values) + first * valueSize,
+                    static_cast<const char *>(view.values) + static_cast<std::uint64_t>(offset) * valueSize,
+                    static_cast<std::uint64_t>(row.Extent(0)) * valueSize);
       });
     });
   }
@@ -96,21 +96,21 @@ public:
     const std::uint64_t slice = wanted.begin[2] - chunk.begin[2];
     const std::uint64_t firstRow = (slice * grid.chunk[1] + row) * grid.chunk[0];
     const std::uint64_t column = wanted.begin[0] - chunk.begin[0];
-    const std::uint64_t valueBytes = GetTraits(grid.layout.pixelType).bytes;
+    const std::uint64_t valueSize = GetTraits(grid.layout.pixelType).bytes;
     if (m_Array.IsPlain())
     {
       // Rows of one slice, or whole slices.
       const std::uint64_t rows = wanted.size[2] == 1 ? wanted.size[1] : wanted.size[2] * grid.chunk[1];
-      m_Rows.resize(rows * GetRowBytes(grid));
-      return m_Chunks->ReadPart(index, firstRow * valueBytes, m_Rows, m_Buffers)
-               ? this->MakeView(m_Rows.data() + column * valueBytes)
+      m_Rows.resize(rows * GetRowSize(grid));
+      return m_Chunks->ReadPart(index, firstRow * valueSize, m_Rows, m_Buffers)
+               ? this->MakeView(m_Rows.data() + column * valueSize)
                : this->MakeFill();
     }
     // Rows that are not asked for now are those of neighbors, to which some of these will be a halo.
     const bool isNeededAgain =
       wanted.begin[2] + wanted.size[2] < chunk.begin[2] + chunk.size[2] || wanted.size[1] < chunk.size[1];
     const char * const planes = m_Chunks->Read(0, index, { slice, wanted.size[2], isNeededAgain }, m_Buffers);
-    return planes != nullptr ? this->MakeView(planes + (row * grid.chunk[0] + column) * valueBytes) : this->MakeFill();
+    return planes != nullptr ? this->MakeView(planes + (row * grid.chunk[0] + column) * valueSize) : this->MakeFill();
   }
 
   std::uint64_t
@@ -159,11 +159,11 @@ private:
     const unsigned int y = GetBoxAxis(m_Array.grid, 1);
     const unsigned int z = GetBoxAxis(m_Array.grid, 2);
     const auto         most = [](std::uint64_t bytes) {
-      return static_cast<std::int64_t>(std::max<std::uint64_t>(1, BytesAtOnce / bytes));
+      return static_cast<std::int64_t>(std::max<std::uint64_t>(1, BlockSize / bytes));
     };
-    const bool          isWhole = m_Array.grid.GetPlaneBytes() <= BytesAtOnce;
-    const std::int64_t  slices = isWhole ? most(m_Array.grid.GetPlaneBytes()) : 1;
-    const std::int64_t  rows = isWhole ? part.Extent(y) : most(GetRowBytes(m_Array.grid));
+    const bool          isWhole = m_Array.grid.GetPlaneSize() <= BlockSize;
+    const std::int64_t  slices = isWhole ? most(m_Array.grid.GetPlaneSize()) : 1;
+    const std::int64_t  rows = isWhole ? part.Extent(y) : most(GetRowSize(m_Array.grid));
     itk::MedialVoxelBox some = part;
     for (some.lower[z] = part.lower[z]; some.lower[z] < part.upper[z]; some.lower[z] = some.upper[z])
     {
@@ -207,12 +207,12 @@ MakeZarrValues(const VolumeHeader & header, std::uint64_t bytesToKeep)
 }
 
 std::uint64_t
-GetZarrThreadBytes(const ZarrArray & array)
+GetZarrThreadMemory(const ZarrArray & array)
 {
-  const std::uint64_t rowBytes = GetRowBytes(array.grid);
-  const std::uint64_t shardBytes = array.shards ? array.shards->GetIndexBytes() : 0;
-  return rowBytes +
-         (array.IsPlain() ? std::max(BytesAtOnce, rowBytes) + shardBytes : ZarrChunks::GetBufferBytes(array));
+  const std::uint64_t rowSize = GetRowSize(array.grid);
+  const std::uint64_t shardIndexSize = array.shards ? array.shards->GetIndexSize() : 0;
+  return rowSize +
+         (array.IsPlain() ? std::max(BlockSize, rowSize) + shardIndexSize : ZarrChunks::GetBufferMemory(array));
 }
 
 } // end namespace medialvoxel

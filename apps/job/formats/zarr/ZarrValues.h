@@ -16,7 +16,7 @@ MakeZarrValues(const VolumeHeader & header, std::uint64_t bytesToKeep);
 
 /** Memory of a thread that reads an array, and of all threads together for what is known of shards. */
 std::uint64_t
-GetZarrThreadBytes(const ZarrArray & array);
+GetZarrThreadMemory(const ZarrArray & array);
 
 } // end namespace medialvoxel
 

@@ -76,7 +76,7 @@ ReadZarrArray2(const ZarrFields & fields, unsigned int dimension)
     fields.AddCodec(compressor.at("id"), compressor, 2, array);
   }
   fields.SetFillValue(fields.At("fill_value"), array);
-  fields.CheckChunkBytes(array);
+  fields.CheckChunkSize(array);
   return array;
 }
 

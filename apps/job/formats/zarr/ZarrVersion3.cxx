@@ -109,21 +109,21 @@ ReadShards(const ZarrFields & fields, const Json & sharding)
 void
 SetCodecs(const ZarrFields & fields, const Json & codecs, ZarrArray & array)
 {
-  bool hasBytes = false;
+  bool hasByteOrder = false;
   for (const Json & json : codecs)
   {
     const Extension codec = ReadExtension(json);
-    if (codec.name == "transpose" && !hasBytes && !array.IsTransposed())
+    if (codec.name == "transpose" && !hasByteOrder && !array.IsTransposed())
     {
       const Json & order = codec.configuration.at("order");
       array.axisOrder = fields.ReadAxisOrder(order.get<std::vector<std::uint64_t>>(), array.grid);
     }
-    else if (codec.name == "bytes" && !hasBytes)
+    else if (codec.name == "bytes" && !hasByteOrder)
     {
       array.bigEndian = IsBigEndian(fields, codec);
-      hasBytes = true;
+      hasByteOrder = true;
     }
-    else if (hasBytes)
+    else if (hasByteOrder)
     {
       fields.AddCodec(codec.name, codec.configuration, 3, array);
     }
@@ -133,7 +133,7 @@ SetCodecs(const ZarrFields & fields, const Json & codecs, ZarrArray & array)
                     " is not read there; only bytes, or transpose and bytes, may come first");
     }
   }
-  if (!hasBytes)
+  if (!hasByteOrder)
   {
     fields.Refuse("its codecs are " + ZarrFields::Show(codecs) + "; bytes must be one of them");
   }
@@ -190,7 +190,7 @@ ReadZarrArray3(const ZarrFields & fields, unsigned int dimension)
     SetCodecs(fields, codecs, array);
   }
   fields.SetFillValue(fields.At("fill_value"), array);
-  fields.CheckChunkBytes(array);
+  fields.CheckChunkSize(array);
   return array;
 }
 

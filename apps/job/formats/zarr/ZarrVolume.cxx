@@ -19,7 +19,7 @@ namespace medialvoxel
 namespace
 {
 
-constexpr std::uint64_t MostMetadataBytes = std::uint64_t{ 1 } << 22;
+constexpr std::uint64_t MaximumMetadataSize = std::uint64_t{ 1 } << 22;
 
 /** The name without its extensions. */
 std::string
@@ -44,21 +44,21 @@ ZarrVolume::ZarrVolume(const std::filesystem::path & name, bool overwrite, bool 
 }
 
 std::uint64_t
-ZarrVolume::GetMemoryBytes(const VolumeGeometry & geometry, const VoxelLayout & layout, ZarrCompression compression)
+ZarrVolume::GetMemory(const VolumeGeometry & geometry, const VoxelLayout & layout, ZarrCompression compression)
 {
   const ZarrGrid      grid = ZarrGrid::ForVolume(geometry, layout);
-  const std::uint64_t chunk = grid.GetChunkBytes();
-  return 2 * chunk + ZarrChunkWriter::GetMemoryBytes(compression, chunk) +
-         ZarrChunks::GetBufferBytes(MakeZarrArray(grid, compression));
+  const std::uint64_t chunk = grid.GetChunkSize();
+  return 2 * chunk + ZarrChunkWriter::GetMemory(compression, chunk) +
+         ZarrChunks::GetBufferMemory(MakeZarrArray(grid, compression));
 }
 
 std::uint64_t
-ZarrVolume::GetBytesOfSmallerLevels(const VolumeGeometry & geometry, const VoxelLayout & layout)
+ZarrVolume::GetSizeOfSmallerLevels(const VolumeGeometry & geometry, const VoxelLayout & layout)
 {
   const std::vector<ZarrLevel> levels = MakeZarrLevels(geometry, layout);
   return std::accumulate(
     levels.begin() + 1, levels.end(), std::uint64_t{ 0 }, [](std::uint64_t sum, const auto & level) {
-      return sum + level.grid.GetNumberOfAllChunks() * level.grid.GetChunkBytes();
+      return sum + level.grid.GetNumberOfAllChunks() * level.grid.GetChunkSize();
     });
 }
 
@@ -67,7 +67,7 @@ ZarrVolume::Describe(const VolumeGeometry & geometry, const VoxelLayout & layout
 {
   m_Levels = MakeZarrLevels(geometry, layout);
   m_Grid = m_Levels.front().grid;
-  m_Writer.emplace(m_Compression, m_Grid.GetChunkBytes(), GetTraits(layout.pixelType).bytes, process);
+  m_Writer.emplace(m_Compression, m_Grid.GetChunkSize(), GetTraits(layout.pixelType).bytes, process);
   m_Layers.emplace(m_Grid, m_Sparse, *m_Writer, m_Reserve, [this](std::uint64_t component, const ZarrIndex & index) {
     return this->GetChunkFile(component, index);
   });
@@ -106,7 +106,7 @@ ZarrVolume::CheckMetadata() const
   {
     const std::filesystem::path fileName = m_Folder.GetPath() / file.name;
     std::error_code             error;
-    if (!std::filesystem::exists(fileName, error) || ReadTextFile(fileName, MostMetadataBytes) != file.text)
+    if (!std::filesystem::exists(fileName, error) || ReadTextFile(fileName, MaximumMetadataSize) != file.text)
     {
       Fail(ExitStatus::Failure, fileName.string(), " is gone or was changed while the volume was written");
     }
@@ -122,8 +122,7 @@ ZarrVolume::Create(const VolumeGeometry & geometry, const VoxelLayout & layout)
   if (!m_Sparse && m_Compression == ZarrCompression::None)
   {
     m_Reserve.emplace(m_Folder.GetPath() / ".reserve",
-                      m_Grid.GetNumberOfAllChunks() * m_Grid.GetChunkBytes() +
-                        GetBytesOfSmallerLevels(geometry, layout));
+                      m_Grid.GetNumberOfAllChunks() * m_Grid.GetChunkSize() + GetSizeOfSmallerLevels(geometry, layout));
   }
 }
 
@@ -312,14 +311,14 @@ ZarrVolume::CheckChunkFiles(const std::string & level, std::uint64_t expected) c
       continue;
     }
     ++files;
-    if (m_Compression == ZarrCompression::None && entry.file_size() != m_Grid.GetChunkBytes())
+    if (m_Compression == ZarrCompression::None && entry.file_size() != m_Grid.GetChunkSize())
     {
       Fail(ExitStatus::Failure,
            entry.path().string(),
            " has ",
            entry.file_size(),
            " bytes after writing, not ",
-           m_Grid.GetChunkBytes());
+           m_Grid.GetChunkSize());
     }
   }
   if (files != expected)
@@ -369,7 +368,7 @@ ZarrVolume::ReadBox(const ZarrBox & box, void * data) const
       std::fill(zeros.begin(), zeros.end(), '\0');
     }
     const char * const planes =
-      (chunk != nullptr ? chunk : zeros.data()) + (part.begin[2] - chunkBox.begin[2]) * m_Grid.GetPlaneBytes();
+      (chunk != nullptr ? chunk : zeros.data()) + (part.begin[2] - chunkBox.begin[2]) * m_Grid.GetPlaneSize();
     ScatterSlices(m_Grid, component, index, part, planes, box, data);
   };
   ForEachChunk(m_Grid, box, readChunk);

@@ -30,11 +30,11 @@ public:
 
   /** Memory that the output takes. */
   static std::uint64_t
-  GetMemoryBytes(const VolumeGeometry & geometry, const VoxelLayout & layout, ZarrCompression compression);
+  GetMemory(const VolumeGeometry & geometry, const VoxelLayout & layout, ZarrCompression compression);
 
   /** Bytes of the smaller levels, when nothing is packed. */
   static std::uint64_t
-  GetBytesOfSmallerLevels(const VolumeGeometry & geometry, const VoxelLayout & layout);
+  GetSizeOfSmallerLevels(const VolumeGeometry & geometry, const VoxelLayout & layout);
 
   void
   Create(const VolumeGeometry & geometry, const VoxelLayout & layout) override;
