@@ -100,11 +100,11 @@ public:
   Report(double fraction) override
   {
     m_Fraction = fraction;
-    this->Beat();
+    this->Heartbeat();
   }
 
   void
-  Beat() override
+  Heartbeat() override
   {
     const double now = m_Stopwatch.GetSeconds();
     if (now - m_LastTime >= m_Interval)
@@ -232,11 +232,11 @@ public:
       m_Percent = percent;
       this->WritePercent();
     }
-    this->Beat();
+    this->Heartbeat();
   }
 
   void
-  Beat() override
+  Heartbeat() override
   {
     constexpr double secondsBetweenLines = 1.0;
     if (m_Percent >= 0 && m_SinceLine.GetSeconds() >= secondsBetweenLines)
@@ -362,7 +362,7 @@ ProgressSink::Finish(double)
 {}
 
 void
-ProgressSink::Beat()
+ProgressSink::Heartbeat()
 {}
 
 void

@@ -27,9 +27,9 @@ public:
   virtual void
   Finish(double seconds);
 
-  /** A sign of life while no fraction comes: shows the last one again where that is due. */
+  /** Shows the last fraction again when due, while no new one comes. */
   virtual void
-  Beat();
+  Heartbeat();
 
   /** Hears one line about what the job did, such as that it unpacked a volume. */
   virtual void

@@ -23,7 +23,7 @@ StopListener::Progress::Beat()
 {
   if (m_Sink != nullptr)
   {
-    m_Sink->Beat();
+    m_Sink->Heartbeat();
   }
 }
 

@@ -17,7 +17,7 @@ namespace medialvoxel
 class StopListener
 {
 public:
-  /** \param sink asked, and given signs of life; null: signals alone count */
+  /** \param sink is asked and gets heartbeats; null: signals alone count */
   explicit StopListener(ProgressSink * sink = nullptr)
     : m_Progress(sink)
     , m_Scope(m_Progress)

@@ -106,7 +106,7 @@ public:
     {
       this->VerifyVolumes();
     }
-    this->MergeParts();
+    this->MergeClusters();
     JobEnd end;
     end.recordCosts = [this, start] { m_Job.result.seconds.total += SecondsSince(start); };
     end.publish = [this] { this->Publish(); };
@@ -185,7 +185,7 @@ private:
   }
 
   void
-  MergeParts()
+  MergeClusters()
   {
     std::vector<std::uint64_t> damaged;
     for (std::uint64_t cluster = 0; cluster < m_Markers.size(); ++cluster)

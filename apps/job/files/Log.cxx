@@ -96,9 +96,9 @@ public:
   }
 
   void
-  Beat() override
+  Heartbeat() override
   {
-    m_Next->Beat();
+    m_Next->Heartbeat();
   }
 
   void

@@ -68,7 +68,7 @@ GetTitle(const SheetSection & section, size_t number, const std::vector<std::int
 
 /** A part and a section for each. */
 void
-WriteParts(const std::vector<SheetSection> & sections,
+WriteSpans(const std::vector<SheetSection> & sections,
            const std::vector<std::int64_t> & labels,
            BufferedOutput &                  output)
 {
@@ -188,7 +188,7 @@ WriteMeshLsDyna(MeshReader & reader, const MeshWriteOptions & options, BufferedO
   const SheetSections sections(reader, edges, options);
   CheckElementsFit(MeshFormat::LsDyna, reader, sections);
   output.Text("*KEYWORD\n*TITLE\n" + GetTitle(options) + "\n");
-  WriteParts(sections.GetSections(), options.objectLabels, output);
+  WriteSpans(sections.GetSections(), options.objectLabels, output);
   WriteNodes(reader, output);
   WriteElements(reader, sections, options, output);
   WriteNodeSet(1, "RIM", edges.GetRims(), output);

@@ -144,7 +144,7 @@ AddElements(std::vector<OptionRow> & rows)
 }
 
 void
-AddPart(std::vector<OptionRow> & rows)
+AddBlock(std::vector<OptionRow> & rows)
 {
   AddRow(rows, "OUTPUT", "FILE", File(&PartOptions::output))
     .Of(Surface)
@@ -170,7 +170,7 @@ AddMeshRows(std::vector<OptionRow> & rows)
 {
   AddMesh(rows);
   AddElements(rows);
-  AddPart(rows);
+  AddBlock(rows);
 }
 
 } // end namespace medialvoxel

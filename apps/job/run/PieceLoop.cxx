@@ -46,7 +46,7 @@ RefusePlaces(std::uint64_t slice, std::uint64_t allowedBytes)
 }
 
 void
-WritePart(const PieceResults::Part & part, const PieceRange & range, std::uint64_t voxelsPerSlice)
+WriteSpan(const PieceResults::Part & part, const PieceRange & range, std::uint64_t voxelsPerSlice)
 {
   const SliceRange & slices = range.slices;
   if (range.rows)
@@ -206,7 +206,7 @@ PieceLoop::RunRange(PieceEngine & engine, const PieceRange & range, const PieceR
   writer.Submit([range, parts = results.parts, voxelsPerSlice = m_VoxelsPerSlice] {
     for (const PieceResults::Part & part : parts)
     {
-      WritePart(part, range, voxelsPerSlice);
+      WriteSpan(part, range, voxelsPerSlice);
     }
   });
   m_Sink.Record({ LogLevel::Debug,

@@ -3,7 +3,7 @@
 #include "VolumeSource.h"
 
 #include "InputVolume.h"
-#include "PartRunner.h"
+#include "SpanRunner.h"
 #include "VoxelSource.h"
 
 #include <chrono>
@@ -129,7 +129,7 @@ VolumeSource::CutIntoParts(const itk::MedialVoxelBox & box, std::size_t bytesPer
 void
 VolumeSource::ForEach(const Boxes & boxes, unsigned int mostThreads, const Work & work)
 {
-  PartRunner runner;
+  SpanRunner runner;
   if (mostThreads > 0)
   {
     runner.LimitThreads(mostThreads);

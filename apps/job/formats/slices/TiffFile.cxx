@@ -90,11 +90,11 @@ std::uint64_t
 TiffFile::GetBandMemory(std::uint64_t band) const
 {
   const TiffBands     bands = this->GetBands();
-  const std::uint64_t parts = bands.GetParts();
+  const std::uint64_t striles = bands.GetStriles();
   std::uint64_t       largest = 0;
-  for (std::uint64_t part = band * parts; part < (band + 1) * parts; ++part)
+  for (std::uint64_t strile = band * striles; strile < (band + 1) * striles; ++strile)
   {
-    largest = std::max(largest, TIFFGetStrileByteCount(m_Handle.get(), static_cast<std::uint32_t>(part)));
+    largest = std::max(largest, TIFFGetStrileByteCount(m_Handle.get(), static_cast<std::uint32_t>(strile)));
   }
   const std::uint64_t tile = bands.rows * bands.tileWidth;
   const std::uint64_t bits = this->HasBits() ? bands.rows * (std::max(bands.width, bands.tileWidth) / 8 + 1) : 0;
@@ -109,23 +109,23 @@ TiffFile::ReadBand(std::uint64_t band, char * voxels, std::uint64_t numberOfByte
   {
     this->Refuse("its slices changed while it was read");
   }
-  const std::uint64_t parts = bands.GetParts();
+  const std::uint64_t striles = bands.GetStriles();
   std::uint64_t       packedSize = 0;
-  for (std::uint64_t part = band * parts; part < (band + 1) * parts; ++part)
+  for (std::uint64_t strile = band * striles; strile < (band + 1) * striles; ++strile)
   {
-    packedSize += TIFFGetStrileByteCount(m_Handle.get(), static_cast<std::uint32_t>(part));
+    packedSize += TIFFGetStrileByteCount(m_Handle.get(), static_cast<std::uint32_t>(strile));
   }
   if (bands.tileWidth > 0)
   {
     this->ReadTiles(bands, band, voxels);
     return packedSize;
   }
-  this->ReadPart(band, bands.width, bands.GetRows(band), voxels);
+  this->ReadStrile(band, bands.width, bands.GetRows(band), voxels);
   return packedSize;
 }
 
 void
-TiffFile::ReadPart(std::uint64_t part, std::uint64_t width, std::uint64_t rows, char * voxels)
+TiffFile::ReadStrile(std::uint64_t strile, std::uint64_t width, std::uint64_t rows, char * voxels)
 {
   const bool          isTile = TIFFIsTiled(m_Handle.get()) != 0;
   const bool          hasBits = this->HasBits();
@@ -133,7 +133,7 @@ TiffFile::ReadPart(std::uint64_t part, std::uint64_t width, std::uint64_t rows, 
   m_Bits.resize(hasBits ? rows * rowSize : 0);
   void * const target = hasBits ? static_cast<void *>(m_Bits.data()) : voxels;
   const auto   size = static_cast<tmsize_t>(rows * rowSize);
-  const auto   number = static_cast<std::uint32_t>(part);
+  const auto   number = static_cast<std::uint32_t>(strile);
   const auto   read = isTile ? TIFFReadEncodedTile(m_Handle.get(), number, target, size)
                              : TIFFReadEncodedStrip(m_Handle.get(), number, target, size);
   if (read != size)
@@ -155,10 +155,10 @@ TiffFile::ReadTiles(const TiffBands & bands, std::uint64_t band, char * voxels)
   const std::uint64_t bytesPerVoxel = this->GetBytesPerVoxel();
   const std::uint64_t bytesPerTileRow = bands.tileWidth * bytesPerVoxel;
   m_Tile.resize(bands.rows * bytesPerTileRow);
-  for (std::uint64_t column = 0; column < bands.GetParts(); ++column)
+  for (std::uint64_t column = 0; column < bands.GetStriles(); ++column)
   {
     itk::MedialVoxelPoll();
-    this->ReadPart(band * bands.GetParts() + column, bands.tileWidth, bands.rows, m_Tile.data());
+    this->ReadStrile(band * bands.GetStriles() + column, bands.tileWidth, bands.rows, m_Tile.data());
     const std::uint64_t first = column * bands.tileWidth;
     const std::uint64_t bytes = std::min(bands.tileWidth, bands.width - first) * bytesPerVoxel;
     for (std::uint64_t row = 0; row < bands.GetRows(band); ++row)

@@ -31,9 +31,9 @@ struct TiffBands
     return rows == 0 ? 0 : (height + rows - 1) / rows;
   }
 
-  /** Strips or tiles of a band. */
+  /** Strips or tiles of a band: striles, as libtiff says. */
   std::uint64_t
-  GetParts() const
+  GetStriles() const
   {
     return tileWidth == 0 ? 1 : (width + tileWidth - 1) / tileWidth;
   }
@@ -139,7 +139,7 @@ private:
 
   /** Reads a strip or tile of so many rows and voxels in a row. */
   void
-  ReadPart(std::uint64_t part, std::uint64_t width, std::uint64_t rows, char * voxels);
+  ReadStrile(std::uint64_t strile, std::uint64_t width, std::uint64_t rows, char * voxels);
 
   void
   ReadTiles(const TiffBands & bands, std::uint64_t band, char * voxels);

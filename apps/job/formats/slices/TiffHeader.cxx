@@ -262,18 +262,18 @@ private:
     }
     TIFF * const        handle = m_File.GetHandle();
     const TiffBands     bands = m_File.GetBands();
-    const std::uint64_t parts = bands.GetCount() * bands.GetParts();
+    const std::uint64_t striles = bands.GetCount() * bands.GetStriles();
     const std::uint32_t found = m_Format.isTiled ? TIFFNumberOfTiles(handle) : TIFFNumberOfStrips(handle);
-    if (parts == 0 || parts != found)
+    if (striles == 0 || striles != found)
     {
       m_File.Refuse("a slice of " + FormatSize({ bands.width, bands.height }) + " voxels has " + std::to_string(found) +
                     (m_Format.isTiled ? " tiles of " + FormatSize({ bands.tileWidth, bands.rows }) + " voxels"
                                       : " strips of " + std::to_string(bands.rows) + " rows"));
     }
-    for (std::uint32_t part = 0; part < found; ++part)
+    for (std::uint32_t strile = 0; strile < found; ++strile)
     {
-      this->AddPart(
-        TIFFGetStrileOffset(handle, part), TIFFGetStrileByteCount(handle, part), this->GetBytes(bands, part));
+      this->AddBlock(
+        TIFFGetStrileOffset(handle, strile), TIFFGetStrileByteCount(handle, strile), this->GetBytes(bands, strile));
     }
     for (std::uint64_t band = 0; m_IsUnpacked && band < bands.GetCount(); ++band)
     {
@@ -283,11 +283,11 @@ private:
 
   /** Of a strip, or of a tile, which is whole at the ends of a slice too. */
   std::uint64_t
-  GetBytes(const TiffBands & bands, std::uint64_t part) const
+  GetBytes(const TiffBands & bands, std::uint64_t strile) const
   {
     if (!m_Format.isTiled)
     {
-      return bands.GetRows(part) * this->GetRowSize();
+      return bands.GetRows(strile) * this->GetRowSize();
     }
     const std::uint64_t bytes =
       itk::CheckedFileSize({ bands.tileWidth, bands.rows, GetTraits(m_Header.pixelType).bytes });
@@ -300,7 +300,7 @@ private:
   }
 
   void
-  AddPart(std::uint64_t offset, std::uint64_t packedSize, std::uint64_t bytes)
+  AddBlock(std::uint64_t offset, std::uint64_t packedSize, std::uint64_t bytes)
   {
     const std::uint64_t size = m_Header.dataFileSize;
     // libtiff puts strips that a table does not list at 0, where the file has its own header.
@@ -357,7 +357,7 @@ private:
     for (std::int64_t slice = 1; slice < *images; ++slice)
     {
       const itk::MedialVoxelFileSegment & known = m_Header.segments.back();
-      this->AddPart(known.offset + known.numberOfBytes, bytes, bytes);
+      this->AddBlock(known.offset + known.numberOfBytes, bytes, bytes);
     }
     return static_cast<std::uint64_t>(*images);
   }

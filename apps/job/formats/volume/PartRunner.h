@@ -17,9 +17,9 @@
 namespace medialvoxel
 {
 
-/** \class PartRunner
+/** \class SpanRunner
  * \brief Does something for each of some parts, in threads when that is allowed. */
-class PartRunner
+class SpanRunner
 {
 public:
   /** At most so many threads, where each needs much memory. */
@@ -37,7 +37,7 @@ public:
     std::exception_ptr error;
     std::mutex         mutex;
     std::atomic<bool>  hasFailed{ false };
-    const auto         tryPart = [&](itk::SizeValueType i) {
+    const auto         trySpan = [&](itk::SizeValueType i) {
       if (hasFailed)
       {
         return;
@@ -55,13 +55,13 @@ public:
     };
     if (isParallel)
     {
-      m_Threader->ParallelizeArray(0, parts.size(), tryPart, nullptr);
+      m_Threader->ParallelizeArray(0, parts.size(), trySpan, nullptr);
     }
     else
     {
       for (std::size_t i = 0; i < parts.size(); ++i)
       {
-        tryPart(i);
+        trySpan(i);
       }
     }
     if (error)

@@ -133,13 +133,13 @@ ZarrChunkWriter::Write(const std::filesystem::path & chunkFile, const char * chu
 }
 
 void
-ZarrChunkWriter::WritePart(const std::filesystem::path & chunkFile,
-                           const ZarrChunkPart &         part,
+ZarrChunkWriter::WriteSpan(const std::filesystem::path & chunkFile,
+                           const ZarrChunkSpan &         span,
                            const char *                  bytes,
                            bool                          isFirst) const
 {
   SystemFile file = MakeFile(this->GetPartialName(chunkFile), isFirst ? FileAccess::MakeEmpty : FileAccess::Make);
-  if ((isFirst && !file.SetSize(part.chunkSize)) || !file.WriteAt(part.offset, bytes, part.numberOfBytes) ||
+  if ((isFirst && !file.SetSize(span.chunkSize)) || !file.WriteAt(span.offset, bytes, span.numberOfBytes) ||
       !file.Close())
   {
     FailWithErrno(ExitStatus::Failure, "write", chunkFile);
@@ -147,18 +147,18 @@ ZarrChunkWriter::WritePart(const std::filesystem::path & chunkFile,
 }
 
 void
-ZarrChunkWriter::CompleteParts(const std::filesystem::path & chunkFile, char * chunk)
+ZarrChunkWriter::CompleteSpans(const std::filesystem::path & chunkFile, char * chunk)
 {
   const bool isPacked = m_Compression != ZarrCompression::None;
   {
-    const SystemFile parts(this->GetPartialName(chunkFile), FileAccess::Change);
-    if (!parts.IsOpen() || ((isPacked || m_Checksum) && !parts.ReadAt(0, chunk, m_NumberOfBytes)))
+    const SystemFile spans(this->GetPartialName(chunkFile), FileAccess::Change);
+    if (!spans.IsOpen() || ((isPacked || m_Checksum) && !spans.ReadAt(0, chunk, m_NumberOfBytes)))
     {
       FailWithErrno(ExitStatus::Failure, "read back", chunkFile);
     }
     if (!isPacked)
     {
-      parts.StartSync(0, m_NumberOfBytes);
+      spans.StartSync(0, m_NumberOfBytes);
     }
   }
   if (isPacked)

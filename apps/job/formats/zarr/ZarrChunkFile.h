@@ -20,7 +20,7 @@ namespace medialvoxel
 constexpr const char * PartialExtension = ".partial";
 
 /** Some bytes of a chunk that is not packed. */
-struct ZarrChunkPart
+struct ZarrChunkSpan
 {
   std::uint64_t offset{ 0 };
   std::uint64_t numberOfBytes{ 0 };
@@ -30,7 +30,7 @@ struct ZarrChunkPart
 /** \class ZarrChunkWriter
  * \brief Writes chunks that appear under their names only when they are complete.
  *
- * A chunk is written at once, or in parts that are kept as they are until the last one is there. The folder of a chunk
+ * A chunk is written at once, or in spans that are kept as they are until the last one is there. The folder of a chunk
  * is made with its first file. Several processes may write different chunks of an array. */
 class ZarrChunkWriter
 {
@@ -54,14 +54,14 @@ public:
   /** Writes some bytes of a chunk that is completed later; bytes that are not written are 0.
    * \param isFirst what an earlier process left of the chunk is dropped */
   void
-  WritePart(const std::filesystem::path & chunkFile,
-            const ZarrChunkPart &         part,
+  WriteSpan(const std::filesystem::path & chunkFile,
+            const ZarrChunkSpan &         span,
             const char *                  bytes,
             bool                          isFirst) const;
 
-  /** Makes a chunk of the parts written. \param chunk memory for one */
+  /** Makes a chunk of the spans written. \param chunk memory for one */
   void
-  CompleteParts(const std::filesystem::path & chunkFile, char * chunk);
+  CompleteSpans(const std::filesystem::path & chunkFile, char * chunk);
 
   /** Sums up the bytes of the files that get their names from now on. */
   void

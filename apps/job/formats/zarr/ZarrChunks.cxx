@@ -120,7 +120,7 @@ ZarrChunks::Read(std::uint64_t component, const ZarrIndex & index, const Slices 
 }
 
 bool
-ZarrChunks::ReadPart(const ZarrIndex & index, std::uint64_t offset, std::vector<char> & bytes, Buffers & buffers)
+ZarrChunks::ReadSpan(const ZarrIndex & index, std::uint64_t offset, std::vector<char> & bytes, Buffers & buffers)
 {
   const std::optional<Place> place = this->Find(0, index, buffers);
   if (!place)

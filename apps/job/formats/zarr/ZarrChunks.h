@@ -67,7 +67,7 @@ public:
 
   /** Reads some bytes of a chunk of a plain array, in the byte order of this machine; false when there is none. */
   bool
-  ReadPart(const ZarrIndex & index, std::uint64_t offset, std::vector<char> & bytes, Buffers & buffers);
+  ReadSpan(const ZarrIndex & index, std::uint64_t offset, std::vector<char> & bytes, Buffers & buffers);
 
   /** Memory of the buffers of a thread and of a chunk, and that of what is known of shards. */
   static std::uint64_t

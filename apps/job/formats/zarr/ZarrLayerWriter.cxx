@@ -43,7 +43,7 @@ ZarrLayerWriter::Write(const SliceRange & slices, const RowRange & rows, const c
     }
     else
     {
-      this->WriteParts(layer, { begin, end }, rows, voxels);
+      this->WriteSpans(layer, { begin, end }, rows, voxels);
     }
     if (end == endOfLayer && rows.end == m_Grid.size[1])
     {
@@ -70,9 +70,9 @@ void
 ZarrLayerWriter::CompleteLayer(std::uint64_t layer)
 {
   const auto complete = [this](std::uint64_t component, const ZarrIndex & index, State & state) {
-    if (state == State::HasParts)
+    if (state == State::HasSpans)
     {
-      m_Writer.CompleteParts(m_ChunkFile(component, index), m_Chunk.data());
+      m_Writer.CompleteSpans(m_ChunkFile(component, index), m_Chunk.data());
       ++m_ChunkFiles;
     }
     else if (state == State::Missing && !m_Sparse)
@@ -124,7 +124,7 @@ ZarrLayerWriter::WriteChunks(std::uint64_t layer, const RowRange & rows, const c
 }
 
 void
-ZarrLayerWriter::WriteParts(std::uint64_t layer, const SliceRange & slices, const RowRange & rows, const char * voxels)
+ZarrLayerWriter::WriteSpans(std::uint64_t layer, const SliceRange & slices, const RowRange & rows, const char * voxels)
 {
   const std::uint64_t planeSize = m_Grid.GetPlaneSize();
   const std::uint64_t count = slices.end - slices.begin;
@@ -136,8 +136,8 @@ ZarrLayerWriter::WriteParts(std::uint64_t layer, const SliceRange & slices, cons
     {
       const bool isFirst = state == State::Missing;
       this->GiveSpaceBack(isFirst ? m_Chunk.size() : 0);
-      m_Writer.WritePart(m_ChunkFile(component, index), { offset, bytes, m_Chunk.size() }, m_Chunk.data(), isFirst);
-      state = State::HasParts;
+      m_Writer.WriteSpan(m_ChunkFile(component, index), { offset, bytes, m_Chunk.size() }, m_Chunk.data(), isFirst);
+      state = State::HasSpans;
     }
   });
 }

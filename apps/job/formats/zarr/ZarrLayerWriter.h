@@ -72,7 +72,7 @@ private:
   enum class State : char
   {
     Missing,
-    HasParts,
+    HasSpans,
     Complete
   };
 
@@ -89,7 +89,7 @@ private:
   WriteChunks(std::uint64_t layer, const RowRange & rows, const char * voxels);
 
   void
-  WriteParts(std::uint64_t layer, const SliceRange & slices, const RowRange & rows, const char * voxels);
+  WriteSpans(std::uint64_t layer, const SliceRange & slices, const RowRange & rows, const char * voxels);
 
   void
   WriteChunk(const std::filesystem::path & chunkFile);

@@ -66,7 +66,7 @@ public:
       const itk::MedialVoxelBox part = this->FromGrid(grid.GetBox(index)).Intersection(box);
       if (m_Array.IsPlain())
       {
-        this->CutPlainPart(part, function);
+        this->CutPlainSpan(part, function);
       }
       else
       {
@@ -102,7 +102,7 @@ public:
       // Rows of one slice, or whole slices.
       const std::uint64_t rows = wanted.size[2] == 1 ? wanted.size[1] : wanted.size[2] * grid.chunk[1];
       m_Rows.resize(rows * GetRowSize(grid));
-      return m_Chunks->ReadPart(index, firstRow * valueSize, m_Rows, m_Buffers)
+      return m_Chunks->ReadSpan(index, firstRow * valueSize, m_Rows, m_Buffers)
                ? this->MakeView(m_Rows.data() + column * valueSize)
                : this->MakeFill();
     }
@@ -154,7 +154,7 @@ private:
 
   /** As many whole slices of the chunk as may be read at once, or rows of one. */
   void
-  CutPlainPart(const itk::MedialVoxelBox & part, const PartFunction & function) const
+  CutPlainSpan(const itk::MedialVoxelBox & part, const PartFunction & function) const
   {
     const unsigned int y = GetBoxAxis(m_Array.grid, 1);
     const unsigned int z = GetBoxAxis(m_Array.grid, 2);
