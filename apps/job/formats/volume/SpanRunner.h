@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef medialvoxelPartRunner_h
-#define medialvoxelPartRunner_h
+#ifndef medialvoxelSpanRunner_h
+#define medialvoxelSpanRunner_h
 
 #include "itkMedialVoxelGrid.h"
 
