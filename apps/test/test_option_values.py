@@ -191,7 +191,7 @@ class ParameterValueTest(ModuleTestCase):
         for flag, element in Description().flagged.items():
             if element.tag in ("integer", "double"):
                 for value in ODD:
-                    if value in ("-1", "inf", "9" * 40) and flag in ("lowerThreshold", "upperThreshold", "maximumPoreSize", "labelValue"):
+                    if value in ("-1", "inf", "9" * 40) and flag in ("lowerThreshold", "upperThreshold", "maxPoreSize", "labelValue"):
                         continue
                     others = [] if flag == "objectSelection" else ["--objectSelection", "NonZero"]
                     self.assert_module_fails(USAGE, [f"--{flag}", f"'{value}'"], *others, f"--{flag}={value}", "in.mha", "out.mha")
