@@ -43,7 +43,7 @@ AddParameters(CLI::App & app, const OptionTarget & target)
   }
 }
 
-/** What every module for 3D Slicer understands beside its own parameters. */
+/** Parameters that every module of 3D Slicer understands. */
 void
 AddCommonParameters(CLI::App & app, const OptionTarget & target)
 {

@@ -13,8 +13,7 @@
 namespace medialvoxel
 {
 
-/** Defines the parameters, whose names are those of the XML; parsing fills \a options, which must outlive the result.
- */
+/** Defines the parameters under the names of the XML; parsing fills \a options, which must outlive the result. */
 std::unique_ptr<CLI::App>
 DefineParameters(ModuleOptions & options);
 

@@ -15,9 +15,8 @@ namespace medialvoxel
 const CLI::App *
 FindCommand(const CLI::App & app, const std::vector<std::string> & words);
 
-/** Parses words in the one form that the parser is to see: each option, flags too, once, with its value as the next
- * word. What the parser makes of values of flags, of nothing behind an equals sign, and of options in place of values
- * never counts.
+/** Parses words in one form: each option once, flags too, with its value as the next word. The parser never has to
+ * read values of flags, an empty value behind an equals sign, or an option in place of a value.
  * \throw CLI::ValidationError for an option that is given twice, or lacks its value
  * \throw CLI::ParseError as the parser */
 void

@@ -123,7 +123,7 @@ DescribeOutputs()
   return json;
 }
 
-/** The rows of tables, with the paths of what they show. */
+/** The rows of tables, with their paths in the report. */
 Json
 DescribeViews()
 {

@@ -14,7 +14,7 @@ namespace medialvoxel
 namespace
 {
 
-/** A command: its name, what it does, and the structures that its options fill. */
+/** A command: its name, its description, and the structures that its options fill. */
 struct CommandRow
 {
   unsigned int command; ///< one of Commands

@@ -15,7 +15,7 @@
 namespace medialvoxel
 {
 
-/** What the command line says: which job, and what to show of it. */
+/** The parsed command line: the job, and the output to show. */
 struct CommandLine
 {
   CLI::App *      extract{ nullptr };
@@ -38,7 +38,7 @@ struct CommandLine
   JobOptions      processOptions; ///< of work and finalize, which read no volume
   ProgramOptions  program;
 
-  CLI::App *  generate{ nullptr }; ///< not shown: what the build calls
+  CLI::App *  generate{ nullptr }; ///< hidden: called by the build
   std::string generateFolder;
 
   /** Where options come from. */
@@ -52,9 +52,9 @@ struct CommandLine
 std::unique_ptr<CLI::App>
 DefineCommandLine(CommandLine & line);
 
-/** Completes what was parsed, and refuses options that can change nothing beside the others. What only the volume
- * decides is a warning of the job.
- * \throw JobError Usage that names the option and what it needs */
+/** Completes the parsed options, and refuses options without effect beside the others. Conflicts that depend on the
+ * volume are warnings of the job.
+ * \throw JobError Usage that names the option and its need */
 void
 CompleteCommandLine(CommandLine & line);
 

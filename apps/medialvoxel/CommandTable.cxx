@@ -35,7 +35,7 @@ GetDetails(const CommandLine & line, const CLI::Option & option)
   return row ? row->details : "";
 }
 
-/** Positional arguments, or the others, in the order of their definition, without those that are not shown. */
+/** Positional arguments, or the others, in the order of their definition, without hidden ones. */
 Options
 GetOptions(const CLI::App & app, bool positional)
 {

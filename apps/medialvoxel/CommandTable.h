@@ -20,7 +20,7 @@ using Options = std::vector<const CLI::Option *>;
 std::vector<const CLI::App *>
 GetCommands(const CLI::App & app);
 
-/** The row of the table that an option comes from; null for those of no volume. */
+/** The row of the table that an option comes from; null for options without a volume. */
 const OptionRow *
 FindRow(const CommandLine & line, const CLI::Option & option);
 

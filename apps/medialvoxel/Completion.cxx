@@ -32,7 +32,7 @@ JoinNames(const Options & options)
     options, [](const CLI::Option * option) { return CLI::detail::join(GetNames(*option), " "); }, " ");
 }
 
-/** What completes the value of an option, in bash. */
+/** The completion of the value of an option, in bash. */
 std::string
 GetBashAction(const CommandLine & line, const CLI::Option & option)
 {

@@ -35,7 +35,7 @@ MakeSink(const CommandLine & line)
   return MakeProgressSink(line.program.quiet ? ProgressStyle::Quiet : line.program.progress);
 }
 
-/** Calls work(sink), and tells a log, if one was asked for, what it does and why it fails. */
+/** Calls work(sink), and logs its steps and its failure, if a log was asked for. */
 template <typename TWork>
 auto
 RunLogged(const CommandLine & line, const std::string & logFile, TWork && work)
@@ -351,7 +351,7 @@ RunCommand(const CommandLine & line, const std::string & command)
   return ExitStatus::Done;
 }
 
-/** What the option of a former name is called; empty: no option had the name. */
+/** The present name of an option with a former name; empty: no option had the name. */
 std::string
 FindNewName(const std::string & name)
 {
@@ -365,8 +365,8 @@ FindNewName(const std::string & name)
   return "";
 }
 
-/** What was typed in place of a command, or the option that the command lacks, with the name that was probably meant;
- * empty when that is not what is wrong. */
+/** The word typed in place of a command, or the option that the command lacks, with the name that was probably meant;
+ * empty for other errors. */
 std::string
 DescribeUnknownName(const CLI::App & app, const std::vector<std::string> & words)
 {

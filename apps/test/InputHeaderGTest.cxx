@@ -143,7 +143,7 @@ ReadVoxels(const VolumeHeader & header)
   return voxels;
 }
 
-/** What libtiff writes is read, voxel by voxel. */
+/** Files of libtiff are read, voxel by voxel. */
 template <typename TPixel>
 void
 ExpectTiffIsRead(const TiffVariant & variant)
@@ -194,7 +194,7 @@ Damage(std::string text, std::mt19937 & random)
   return text;
 }
 
-/** Reads damaged files: what is not refused has its voxels in the file, or can be unpacked or not. */
+/** Reads damaged files: an accepted file has its voxels, or fails to unpack. */
 void
 ExpectReadOrRefused(const std::string & name, const std::string & text, size_t bytesThatMatter)
 {

@@ -18,7 +18,7 @@ using namespace medialvoxel;
 namespace
 {
 
-/** Exit status and message of the failure to read what a file has. */
+/** Exit status and message of the failure to read the text of a file. */
 std::pair<ExitStatus, std::string>
 FailToRead(const TemporaryFolder & folder, const std::string & content)
 {

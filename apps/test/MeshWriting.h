@@ -68,7 +68,7 @@ MakeSquares(const std::vector<double> & thicknesses)
   return surface;
 }
 
-/** Lines of the text that follow those that begin with \a begin. */
+/** Lines of the text after the lines that begin with \a begin. */
 inline std::vector<std::string>
 GetLinesAfter(const std::string & text, const std::string & begin)
 {

@@ -60,7 +60,7 @@ TEST(OrderedWork, DoesNotRunAhead)
     [] {});
 }
 
-/** Whoever throws ends the work, and what it threw arrives. */
+/** Every error ends the work, and arrives. */
 TEST(OrderedWork, EndsWithTheFirstError)
 {
   const auto never = [](const std::uint64_t number, const Work::Check & check) {

@@ -49,7 +49,7 @@ ReadWithItk(const std::filesystem::path & fileName, bool isMetaImage)
   return reader->GetOutput();
 }
 
-/** Writes numbers that count up, in two parts, and compares what ITK reads. */
+/** Writes increasing numbers, in two parts, and compares ITK's reading. */
 template <typename TPixel>
 void
 ExpectItkReadsTheSame(const VoxelLayout & layout, const std::vector<float> & values)

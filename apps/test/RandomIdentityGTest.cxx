@@ -21,7 +21,7 @@ namespace
 
 constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 
-/** A new one for each test of each iteration; what is printed on failure repeats the draw by itself. */
+/** A new one for each test of each iteration; its output on failure repeats the draw. */
 unsigned int
 NextSeed()
 {
@@ -64,7 +64,7 @@ public:
   GetOutputs() const = 0;
 };
 
-/** Takes over what does not belong to the result: input, memory, threads, pieces, form of the files. */
+/** Copies the members that do not belong to the result: input, memory, threads, pieces, form of the files. */
 template <typename TOptions>
 TOptions
 WithLimits(TOptions options, const JobOptions & limits)
@@ -253,8 +253,7 @@ Describe(const JobOptions & limits)
   return text.str();
 }
 
-/** Plans are made for walls of a usual thickness; a run may find out that the memory does not hold what thicker ones
- * need. */
+/** Plans are made for walls of a usual thickness; thicker walls may need more memory than a run has. */
 template <typename TSubject>
 std::optional<JobResult>
 RunUnlessWallsAreTooThick(const TSubject & subject, const JobOptions & limits)

@@ -62,7 +62,7 @@ struct RandomVolume
 RandomVolume
 DrawVolume(Dice & dice);
 
-/** A file of a volume, and what one must say to have it read. */
+/** A file of a volume, and the options to read it. */
 struct VolumeFile
 {
   std::string                   fileName;

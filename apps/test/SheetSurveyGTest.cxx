@@ -92,7 +92,7 @@ AddCells(const RandomTile & tile, SheetPoints & points)
   }
 }
 
-/** What an observer is shown beside the rows. */
+/** The arguments of an observer beside the rows. */
 class Shower
 {
 public:

@@ -26,7 +26,7 @@ GetChecksumOfZeros()
 
 } // namespace
 
-/** What a block of zeros does to a checksum is known, and most of a label volume is zeros. */
+/** The effect of a block of zeros is known in advance; most of a label volume is zeros. */
 void
 Checksum::Add(const void * data, std::uint64_t numberOfBytes)
 {

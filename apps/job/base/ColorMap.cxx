@@ -26,7 +26,7 @@ EncodeGamma(double linear)
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
 }
 
-/** CIELAB with the white of D65 as linear red, green and blue of sRGB; outside of 0 to 1 there is no such color. */
+/** CIELAB with the white of D65 as linear red, green and blue of sRGB; sRGB has no color outside of 0 to 1. */
 std::array<double, 3>
 LabToLinear(double lightness, double a, double b)
 {

@@ -13,8 +13,7 @@ namespace medialvoxel
 using Color = std::array<std::uint8_t, 3>;
 
 /** Color of a share from 0 to 1: violet, blue, green, yellow, the lighter the larger. Equal steps of the share are
- * steps of equal lightness in CIELAB, so that the order is seen without colors too. Shares outside are those of the
- * ends. */
+ * equal steps of lightness in CIELAB, so the order is seen without colors too. Shares outside are clamped. */
 Color
 GetMapColor(double share);
 

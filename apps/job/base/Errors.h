@@ -23,7 +23,7 @@ enum class ExitStatus : int
 };
 
 /** \class JobError
- * \brief What stops a job, with the exit status that it calls for. */
+ * \brief An error that ends a job, with its exit status. */
 class JobError : public std::runtime_error
 {
 public:
@@ -53,7 +53,7 @@ public:
 };
 
 /** \class StoppedBySignal
- * \brief The job was asked to stop and has removed what it had begun to write. */
+ * \brief The job was asked to stop and has removed its unfinished files. */
 class StoppedBySignal : public std::runtime_error
 {
 public:

@@ -17,7 +17,7 @@ namespace medialvoxel
 namespace
 {
 
-/** A message of the parser without what it quotes of the file, which may be all of it. */
+/** The message of the parser without its quotation of the file, which may be the whole file. */
 std::string
 WithoutQuotation(const std::string & message)
 {

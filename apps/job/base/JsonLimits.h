@@ -12,12 +12,12 @@
 namespace medialvoxel
 {
 
-/** Values within values; what copies, compares and prints them calls itself for each. */
+/** Nested values: copying, comparing and printing recurse into each. */
 constexpr int DeepestJson = 64;
 
-/** Parses text that may be made to harm: an empty list takes two bytes of it, and thirty times as many of memory.
+/** Parses text of unknown origin: an empty list takes two bytes of text, and thirty times as many of memory.
  * \param mostValues lists and objects included
- * \throw TJson::exception for what is not JSON, and for numbers out of range
+ * \throw TJson::exception for text that is no JSON, and for numbers out of range
  * \throw std::length_error beyond the limits */
 template <typename TJson>
 TJson

@@ -24,7 +24,7 @@ RunProgram(const std::string & name, const std::function<int()> & body)
   };
   CatchSignals();
   SetNameForAborts(name);
-  // The job tells in a line of its own what a filter would warn of in three.
+  // The job prints one line for each warning; a filter would print three.
   itk::Object::GlobalWarningDisplayOff();
   try
   {

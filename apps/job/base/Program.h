@@ -9,9 +9,9 @@
 namespace medialvoxel
 {
 
-/** What main() does: catches signals, calls the body, and makes of an error a line on the error stream that begins with
- * the program's name, and an exit status. Results that the body left unwritten to the standard output are an error too.
- * \return the exit status of the process: the body's, or the one that its error calls for */
+/** The frame of main(): catches signals, calls the body, and prints an error as a line that begins with the program's
+ * name. Results that the body could not write to the standard output are an error too.
+ * \return the exit status of the process: from the body, or from its error */
 int
 RunProgram(const std::string & name, const std::function<int()> & body);
 

@@ -39,7 +39,7 @@ FormatDuration(double seconds)
   return text.data();
 }
 
-/** Time since the start, and an estimate of what is left. */
+/** Time since the start, and an estimate of the rest. */
 class Stopwatch
 {
 public:
@@ -151,7 +151,7 @@ public:
 
   ~BarSink() override
   {
-    // What follows, such as a message, begins on a clean line.
+    // The next output, perhaps a message, begins on a clean line.
     this->WipeOut();
   }
 
@@ -170,7 +170,7 @@ public:
   }
 
 protected:
-  /** A line that is wrapped could not be drawn over, so what does not fit is left out, the bar first. */
+  /** A wrapped line could not be drawn over, so parts that do not fit are left out, the bar first. */
   void
   Show(double fraction) override
   {

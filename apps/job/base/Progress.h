@@ -31,11 +31,12 @@ public:
   virtual void
   Heartbeat();
 
-  /** Hears one line about what the job did, such as that it unpacked a volume. */
+  /** Takes one line about a step of the job, for example that it unpacked a volume. */
   virtual void
   Note(const std::string & text);
 
-  /** Hears what a user must know before the results are used. By default a note. \param code one word for scripts */
+  /** Takes a warning that a user must know before the results are used. By default a note. \param code one word for
+   * scripts */
   virtual void
   Warn(const std::string & code, const std::string & message);
 

@@ -15,12 +15,12 @@ namespace medialvoxel
 /** Attempts at a name that nothing has. */
 constexpr int MaximumTemporaryNames = 1000;
 
-/** The name beside \a fileName that a file or folder has while this process writes it; it tells the process, see
- * RemoveLeftovers(). A long name is cut, so that the file system takes it. */
+/** The name beside \a fileName while this process writes the file. It names the process, see RemoveLeftovers(). A
+ * long name is cut, so that the file system takes it. */
 std::filesystem::path
 MakeTemporaryName(const std::filesystem::path & fileName, int attempt);
 
-/** What a temporary name tells. */
+/** The parts of a temporary name. */
 struct TemporaryName
 {
   std::string     fileName; ///< that the file was to get, or one that it belongs to

@@ -17,7 +17,7 @@ namespace medialvoxel
 {
 
 /** \class ResumableStop
- * \brief The job was asked to stop and keeps what is done. */
+ * \brief The job was asked to stop and keeps its finished clusters. */
 class ResumableStop : public StoppedBySignal
 {
 public:
@@ -82,9 +82,9 @@ RunPlan(const PlanOptions & options, ProgressSink & sink);
 WorkResult
 RunWork(const WorkOptions & options, ProgressSink & sink);
 
-/** Verifies that all is done, writes what RunJob() writes at its end and gives all outputs their names. To do it
- * again is harmless.
- * \throw JobError Failure when clusters are missing or, which then become missing, damaged */
+/** Verifies that all clusters are done, writes the last outputs of RunJob() and gives all outputs their names.
+ * Repeating it is harmless.
+ * \throw JobError Failure when clusters are missing, or damaged; damaged ones become missing */
 FinalizeResult
 RunFinalize(const FinalizeOptions & options, ProgressSink & sink);
 
@@ -100,13 +100,13 @@ DescribeStatus(const JobStatus & status);
 std::string
 MakeStatusJson(const JobStatus & status);
 
-/** What is to be typed after a plan. */
+/** The next commands to type after a plan. */
 TextTable
 DescribeNextSteps(const std::string & jobFolder, std::uint64_t numberOfClusters);
 
-/** RunJob() as a job in the folder GetResumeFolder(), which is removed at the end. When there is such a job
- * already, with the same options, input and version, it is continued; with others it is refused.
- * \param command that continues it, to be told when it is stopped
+/** RunJob() as a job in the folder GetResumeFolder(), which is removed at the end. Continues an existing job with the
+ * same options, input and version; refuses one with others.
+ * \param command that continues it, for the message when it is stopped
  * \throw JobError
  * \throw ResumableStop when the sink asked to stop */
 FinalizeResult

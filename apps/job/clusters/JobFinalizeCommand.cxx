@@ -59,7 +59,7 @@ ReadMarkers(const SharedJob & job)
   return markers;
 }
 
-/** Times and bytes are sums over the clusters; memory and threads those of the largest process. */
+/** Times and bytes are sums over the clusters; memory and threads come from the largest process. */
 void
 AddMarker(JobResult & job, const ClusterMarker & marker)
 {
@@ -231,7 +231,7 @@ private:
     CheckOutputs(m_Job.result.outputs, m_Job.result.input, m_Job.options.overwrite);
     m_Shared.folder.WriteDataNames(m_Shared.manifest, m_DataNames);
     m_Outputs->Publish();
-    // What was replaced goes before the job counts as finished, or nobody would remove it.
+    // Replaced files go before the job counts as finished, or nobody would remove them.
     m_Outputs.reset();
     m_Shared.folder.WriteFinished(m_Shared.manifest, GetVerdict(m_Job.result));
     m_Sink.Record({ LogLevel::Info, "published", { { "job", m_Shared.manifest.jobId } } });

@@ -23,8 +23,7 @@ constexpr const char * FinishedName = "finished.json";
 constexpr const char * ClustersName = "clusters";
 constexpr const char * LocksName = "locks";
 
-/** Names of files that a job without a manifest may have left, and what a process leaves that is killed while it writes
- * one of them or the Slurm script. */
+/** Names of files that a job without a manifest may have left, and of temporary files of killed processes. */
 bool
 IsOurs(const std::string & name)
 {
@@ -288,7 +287,7 @@ JobFolder::GetVerdict(const Manifest & manifest) const
 void
 JobFolder::Clear() const
 {
-  // The manifest first: what else is there then belongs to no job.
+  // The manifest first: without it the other files belong to no job.
   std::error_code error;
   std::filesystem::remove(m_Path / ManifestName, error);
   RemoveFiles(m_Path / ClustersName, IsOfCluster);

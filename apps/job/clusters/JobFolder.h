@@ -27,10 +27,10 @@ struct DataNames
 /** \class JobFolder
  * \brief The files by which the processes of a job know of each other.
  *
- * manifest.json is what they agree on; clusters/NNNNNN.json is there when a cluster is done and its bytes are on the
- * disk, with a checksum of them; NNNNNN.survey is its part of the statistics; publishing.json is there once outputs
- * may have got their names, finished.json when all have. planned.json stands for a manifest whose outputs are still
- * being created. Each appears complete, by a rename. The file locks is empty and serves only to be locked. */
+ * manifest.json is their agreement. clusters/NNNNNN.json exists when a cluster is done and its bytes are on the
+ * disk; it has a checksum of them. NNNNNN.survey is its part of the statistics. publishing.json exists once outputs
+ * may have got their names, finished.json when all have. planned.json is a manifest whose outputs are still being
+ * created. Each appears complete, by a rename. The file locks is empty and serves only to be locked. */
 class JobFolder
 {
 public:
@@ -63,7 +63,7 @@ public:
   void
   CheckStillOf(const Manifest & manifest) const;
 
-  /** \throw JobError Refused when the folder is there and has more in it than what a job left that has no manifest. */
+  /** \throw JobError Refused when the folder exists and has more than the files of a job without a manifest. */
   void
   CheckFree() const;
 
@@ -107,7 +107,7 @@ public:
   void
   WriteFinished(const Manifest & manifest, WallVerdict verdict) const;
 
-  /** What the job that is finished has found. */
+  /** The result of a finished job. */
   WallVerdict
   GetVerdict(const Manifest & manifest) const;
 

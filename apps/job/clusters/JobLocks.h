@@ -14,10 +14,10 @@ namespace medialvoxel
 {
 
 /** \class JobLocks
- * \brief Tells the processes of a job which of them does what: a byte of a file for each thing that is to be done once.
+ * \brief Divides the work among the processes of a job: one byte of a file for each task that is done once.
  *
- * The system gives a lock back when its process ends, however it ends, so that neither clocks nor times matter. Where
- * the file system has no locks everyone gets them: then two processes may do the same work and write the same bytes. */
+ * The system returns a lock when its process ends, however it ends, so clocks and times do not matter. Where the
+ * file system has no locks everyone gets them: then two processes may do the same work and write the same bytes. */
 class JobLocks
 {
 public:

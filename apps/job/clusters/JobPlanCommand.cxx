@@ -119,7 +119,7 @@ MakeManifest(const ExtractOptions & options, const JobResult & job, const JobFol
   return manifest;
 }
 
-/** What all processes of the job do alike: the threshold, smooth or not, and measure walls. */
+/** Decisions that all processes of the job share: the threshold, smoothing, and the measure of walls. */
 ExtractOptions
 MeasureVolume(const ExtractOptions & options, Job & job, const ProgressSink & sink)
 {
@@ -144,7 +144,7 @@ RemoveVolumes(const Manifest & manifest)
   }
 }
 
-/** Takes away what a plan left that ended early. */
+/** Removes the files of a plan that ended early. */
 void
 RemoveUnfinished(const JobFolder & folder)
 {
@@ -183,7 +183,7 @@ RunPlan(const PlanOptions & options, ProgressSink & sink)
 {
   RefuseUnsupported(options);
   ExtractOptions ofProcess = options;
-  ofProcess.divisions.reset(); // those are clusters, which each process divides for its memory
+  ofProcess.divisions.reset(); // here divisions are clusters; each process divides a cluster for its memory
   Job planned(ofProcess);
   planned.Plan(true);
   PlanResult job{ planned.result, std::nullopt };

@@ -73,7 +73,7 @@ RunResumable(const ExtractOptions & options, const std::string & command, Progre
   try
   {
     RunWork({ name, {}, options.memoryLimit, options.threads, options.scratchFolder }, sink);
-    // What this process has just written needs no second look.
+    // The files of this process need no second look.
     FinalizeResult result = RunFinalize({ name, continues, options.overwrite }, sink);
     folder.RemoveFinished();
     return result;

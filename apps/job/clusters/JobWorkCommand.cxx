@@ -91,7 +91,7 @@ CheckSlices(const Manifest & manifest, const Job & job)
 }
 
 /** \class ClusterWorker
- * \brief Does clusters of a job in this process, those that no other process does. */
+ * \brief Does the clusters of a job that no other process does. */
 class ClusterWorker
 {
 public:
@@ -168,7 +168,7 @@ ClusterWorker::Run(const std::vector<std::uint64_t> & clusters)
     m_Run.GetLoop().ThrowIfStopRequested();
     if (free.empty())
     {
-      // Those who are at the others may die, so they are asked for again until they are done.
+      // Processes at the other clusters may die, so ask again until all are done.
       this->WaitAMoment();
       std::swap(free, busy);
     }

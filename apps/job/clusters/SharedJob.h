@@ -19,8 +19,8 @@ struct SharedJob
   Manifest  manifest;
 };
 
-/** Reads the manifest, makes the folder of the plan the current one when names are relative to it, and compares the
- * input of a job that is not finished with what it was. \throw JobError Failure */
+/** Reads the manifest, makes the folder of the plan the current one when names are relative to it, and checks that
+ * the input of an unfinished job is unchanged. \throw JobError Failure */
 SharedJob
 OpenSharedJob(const std::string & jobFolder);
 

@@ -16,7 +16,7 @@ namespace
 
 constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 
-/** Well below what Slurm allows of an array unless it is told otherwise, which is 1000. */
+/** Well below Slurm's default limit of an array, 1000. */
 constexpr std::uint64_t MostTasks = 64;
 
 constexpr std::uint64_t LeastMemory = 1024 * MiB;
@@ -44,7 +44,7 @@ exec medialvoxel work "$job" --clusters "$first-$last" --threads "$SLURM_CPUS_PE
 
 using Values = std::vector<std::pair<std::string, std::string>>;
 
-/** Replaces "@NAME@" in one pass, so that a value may hold such a text. */
+/** Replaces "@NAME@" in one pass, so that a value may contain another name. */
 std::string
 Fill(const std::string & text, const Values & values)
 {

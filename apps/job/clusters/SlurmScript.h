@@ -17,7 +17,7 @@
 namespace medialvoxel
 {
 
-/** A job array with all that its script tells. */
+/** The values of a script for a job array. */
 struct SlurmArray
 {
   std::filesystem::path        jobFolder; ///< absolute
@@ -31,21 +31,21 @@ struct SlurmArray
   std::uint64_t
   GetTasks() const;
 
-  /** Megabytes that Slurm is asked for: a ninth is for what the process does not count. */
+  /** Megabytes to request from Slurm: a ninth is for memory that the process does not count. */
   std::uint64_t
   GetMegabytes() const;
 };
 
-/** The array for a job that is planned as \a job tells, or would be. Without an option for the memory a process may
- * take twice what is planned for walls of PlannedWallThickness, and 1 GiB at least.
- * \throw JobError Usage or Refused when the script is to get a name that CheckOutputs() refuses */
+/** The array for a planned job. Without an option for the memory a process may take twice the plan for walls of
+ * PlannedWallThickness, and at least 1 GiB.
+ * \throw JobError Usage or Refused when the script would get a name that CheckOutputs() refuses */
 SlurmArray
 PlanSlurmArray(const SlurmOptions &          slurm,
                const ExtractOptions &        options,
                const JobResult &             job,
                const std::filesystem::path & jobFolder);
 
-/** The script for sbatch. Submitted again, unchanged, it does what is missing. */
+/** The script for sbatch. Submitted again, unchanged, it does the missing clusters. */
 std::string
 MakeSlurmScript(const SlurmArray & array);
 
@@ -53,7 +53,7 @@ MakeSlurmScript(const SlurmArray & array);
 std::unique_ptr<OutputFile>
 WriteSlurmScript(const SlurmArray & array, bool overwrite);
 
-/** What is to be typed after a plan. */
+/** The next commands to type after a plan. */
 TextTable
 DescribeSlurmSteps(const SlurmArray & array);
 

@@ -5,8 +5,8 @@
 
 #include <cstdint>
 
-// What the module that links GDCM gives the program, in plain types, since the program loads it only for DICOM files:
-// GDCM's tables take 20 ms and 10 MiB in each process that has it.
+// The interface of the module that links GDCM, in plain types. The program loads it for DICOM files only, since GDCM's
+// tables take 20 ms and 10 MiB in each process that has it.
 
 extern "C"
 {
@@ -26,8 +26,8 @@ extern "C"
     double        intercept;
   };
 
-  /** Tells the medialvoxel::PixelType of the values of a frame and, when its bytes are at hand, the values, rescaled.
-   * \return null, or what is wrong, which holds until the next call of the thread */
+  /** Gets the medialvoxel::PixelType of the values of a frame and, when its bytes are at hand, the rescaled values.
+   * \return null, or an error text valid until the thread's next call */
   using MedialVoxelReadDicomFrame = const char * (*)(const MedialVoxelDicomFrame * frame,
                                                      std::uint32_t *               pixelType,
                                                      void *                        voxels);

@@ -58,7 +58,7 @@ public:
     this->Bytes(value, sizeof(TNumber) - 1, -1);
   }
 
-  /** Writes what is buffered and finishes the file. \throw JobError Failure. */
+  /** Writes the buffer and finishes the file. \throw JobError Failure. */
   void
   Finish();
 

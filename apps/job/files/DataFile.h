@@ -17,7 +17,7 @@ MakeDataName(const std::filesystem::path & headerName, unsigned int number);
 bool
 IsDataName(const std::filesystem::path & dataName, const std::filesystem::path & headerName);
 
-/** The file of voxels that an existing header names; empty when it names none or is not such a header. */
+/** The file of voxels that an existing header names; empty when it names none or is no header of this kind. */
 std::filesystem::path
 FindDataFile(const std::filesystem::path & headerName);
 

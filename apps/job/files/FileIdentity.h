@@ -10,7 +10,7 @@
 namespace medialvoxel
 {
 
-/** What tells whether a file, or a folder with all files in it, is still the one that a job began with. */
+/** Identifies a file, or a folder with all files in it, as the one that a job began with. */
 struct FileIdentity
 {
   std::filesystem::path fileName;
@@ -22,8 +22,8 @@ struct FileIdentity
 FileIdentity
 IdentifyFile(const std::filesystem::path & name);
 
-/** Compares size and time of the files with what they were; a time that lacks digits, as another machine may see it, is
- * the same. \throw JobError Failure that names the difference. */
+/** Compares size and time of the files with the recorded ones. A time with fewer digits, as another machine may see
+ * it, is the same. \throw JobError Failure that names the difference. */
 void
 CheckUnchanged(const std::vector<FileIdentity> & files);
 

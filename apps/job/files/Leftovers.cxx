@@ -105,8 +105,8 @@ RemoveOtherName(const Leftover & leftover)
   }
 }
 
-/** The process was killed when its header had taken the place of this one, and the voxels of this one were still there.
- * Voxels of two names are those of a process that is at work, or of another leftover. */
+/** The process was killed after its header had replaced this one, while the voxels of this one were still there.
+ * Voxels of two names belong to a process at work, or to another leftover. */
 void
 RemoveVoxelsOfHeader(const Leftover & leftover)
 {

@@ -11,9 +11,9 @@
 namespace medialvoxel
 {
 
-/** Removes from a folder what runs of this user on this machine left there that were killed: temporary files and
- * folders, and voxels whose header never appeared. What belongs to a process that runs, or to another machine, stays,
- * as do the files of jobs and those of others. Errors are ignored. */
+/** Removes leftovers of killed runs of this user on this machine from a folder: temporary files and folders, and
+ * voxels whose header never appeared. Files of running processes, other machines, jobs and other users stay. Errors
+ * are ignored. */
 void
 RemoveLeftovers(const std::filesystem::path & folder);
 

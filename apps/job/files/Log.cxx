@@ -34,7 +34,7 @@ BeginsWithTime(const std::string & text)
   return true;
 }
 
-/** A regular file must be empty or a log; what is not a file, such as a terminal, takes any lines. */
+/** A regular file must be empty or a log; other targets, for example a terminal, take any lines. */
 bool
 TakesLines(const SystemFile & file)
 {
@@ -73,7 +73,7 @@ Quote(const std::string & value)
 }
 
 /** \class LogSink
- * \brief What MakeLogSink() makes. */
+ * \brief The sink of MakeLogSink(). */
 class LogSink : public ProgressSink
 {
 public:

@@ -34,7 +34,7 @@ private:
   LogLevel   m_Level;
 };
 
-/** A sink that writes what it hears to a log, which must outlive it, and hands it on to \a next. */
+/** A sink that writes its reports to a log, which must outlive it, and hands them on to \a next. */
 std::unique_ptr<ProgressSink>
 MakeLogSink(Log & log, std::unique_ptr<ProgressSink> next);
 

@@ -19,10 +19,10 @@ namespace medialvoxel
 /** \class OutputFile
  * \brief A file that appears under its name only when it is complete.
  *
- * It is written without a name, or under a temporary one in the same folder where the file system has no such files,
- * brought to the disk, compared with the size it must have, and gets its name. Until then an existing file of that name
- * stays as it is, and the destructor removes the temporary file, as the system does of one without a name.
- * A symbolic link is followed: the file it points to is the one replaced. */
+ * It is written without a name, or under a temporary one in the same folder where the file system needs one. Then it
+ * is brought to the disk, its size is checked, and it gets its name. Until then an existing file of that name stays
+ * as it is. The destructor removes the temporary file; the system removes one without a name. A symbolic link is
+ * followed: its target is replaced. */
 class OutputFile
 {
 public:
@@ -43,22 +43,22 @@ public:
   void
   CreateNamed(std::uint64_t numberOfBytes, bool reserve, const std::string & suffix = ".partial");
 
-  /** Removes what processes that were killed left of CreateNamed() with this suffix. */
+  /** Removes the files that killed processes left of CreateNamed() with this suffix. */
   void
   RemoveLeftovers(const std::string & suffix) const;
 
-  /** As CreateNamed() with its space reserved, under a temporary name that other processes know, which stays after this
-   * object. \throw JobError Refused, also when there is such a file. */
+  /** As CreateNamed() with its space reserved, under a temporary name that other processes know. The file stays after
+   * this object. \throw JobError Refused, also when the file exists. */
   void
   CreateShared(const std::filesystem::path & temporaryName, std::uint64_t numberOfBytes);
 
-  /** Opens what CreateShared() made, for writing only or for reading only: a file system of a network then sends other
-   * machines no more than the bytes that are written.
+  /** Opens the file of CreateShared(), for writing only or for reading only: a file system of a network then sends
+   * other machines no more than the written bytes.
    * \throw JobError Failure when it is not there or has another size. */
   void
   OpenShared(const std::filesystem::path & temporaryName, std::uint64_t numberOfBytes, bool forWriting);
 
-  /** Opens for reading what another process has published already. \throw JobError Failure, as OpenShared() */
+  /** Opens a file that another process has published, for reading. \throw JobError Failure, as OpenShared() */
   void
   OpenPublished(std::uint64_t numberOfBytes);
 
@@ -104,12 +104,12 @@ public:
   bool
   PublishByExchange();
 
-  /** Gives the finished file its name, which it loses again without KeepName(), which RemoveLeftovers() does when the
-   * process was killed between the two. \return false when there is such a file. */
+  /** Gives the finished file its name. Without KeepName() it loses the name again; RemoveLeftovers() removes it when
+   * the process was killed between the two. \return false when a file has the name. */
   bool
   PublishForNow();
 
-  /** Ends what PublishForNow() or PublishByExchange() began. */
+  /** Ends PublishForNow() or PublishByExchange(). */
   void
   KeepName();
 
@@ -120,7 +120,7 @@ public:
     m_BelongsTo = fileName;
   }
 
-  /** Renames what Publish() will give its name to; the folder stays the same. */
+  /** Renames the target of Publish(); the folder stays the same. */
   void
   SetFileName(const std::filesystem::path & fileName);
 

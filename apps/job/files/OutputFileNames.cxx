@@ -41,7 +41,7 @@ OutputFile::TakeTemporaryName()
   }
 }
 
-/** For systems that let a program create such a file, but not give it a name. */
+/** For systems that let a program create a file without a name, but not name it. */
 void
 OutputFile::CopyToTemporaryName()
 {

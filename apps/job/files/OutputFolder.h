@@ -13,11 +13,11 @@ namespace medialvoxel
  * \brief A folder that appears under its name only when all files in it are complete.
  *
  * It is filled under a temporary name beside the final one, and renamed. Until then an existing folder of that name
- * stays as it is, and the destructor removes the temporary one unless it is shared. A symbolic link is followed: the
- * folder it points to is the one replaced.
+ * stays as it is. The destructor removes the temporary folder unless it is shared. A symbolic link is followed: its
+ * target is replaced.
  *
- * A shared folder has a temporary name that other processes know, the final one with a suffix. As long as it is not
- * published it has an empty file named as the suffix, which tells it from a folder that it changed names with. */
+ * A shared folder has a temporary name that other processes know, the final one with a suffix. Until it is published
+ * it has an empty file named as the suffix, which distinguishes it from a folder that it changed names with. */
 class OutputFolder
 {
 public:
@@ -35,11 +35,11 @@ public:
   void
   CreateShared(const std::string & suffix);
 
-  /** Removes what CreateShared() made, if it is there. */
+  /** Removes the folder of CreateShared(), if it exists. */
   void
   RemoveShared(const std::string & suffix) const;
 
-  /** Opens what CreateShared() made. \throw JobError Failure when it is not there. */
+  /** Opens the folder of CreateShared(). \throw JobError Failure when it is not there. */
   void
   OpenShared(const std::string & suffix);
 

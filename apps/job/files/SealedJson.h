@@ -26,13 +26,13 @@ WriteDurably(const std::filesystem::path & fileName, const std::string & text);
 void
 WriteSealed(const std::filesystem::path & fileName, Json object);
 
-/** The object of a file of WriteSealed(), without the checksum; nothing when there is no such file.
+/** The object of a file of WriteSealed(), without the checksum; nothing when the file does not exist.
  * \throw JobError Failure for a file that cannot be read, is damaged or was changed */
 std::optional<Json>
 ReadSealed(const std::filesystem::path & fileName);
 
-/** A whole number of JSON, which the library would convert from others without a word.
- * \throw std::invalid_argument for what is none, or none of the type */
+/** A whole number of JSON; the library would silently convert others.
+ * \throw std::invalid_argument for other values, and beyond the range of the type */
 template <typename TInteger>
 void
 ReadWhole(const Json & value, TInteger & number)

@@ -16,8 +16,8 @@ namespace medialvoxel
 /** \class UncachedWriter
  * \brief Writes whole blocks of a file past the page cache.
  *
- * A large result then does not push out of memory what other programs, and this one, still need, and costs no copy in
- * the kernel. Not every file system can. */
+ * A large result then does not push data that programs still need out of memory, and costs no copy in the kernel.
+ * Some file systems cannot do it. */
 class UncachedWriter
 {
 public:
@@ -38,7 +38,7 @@ public:
   bool
   WriteAt(std::uint64_t offset, const void * data, std::uint64_t numberOfBytes);
 
-  /** Waits for what the file system kept for later all the same. \return false on failure, with errno */
+  /** Waits for bytes that the file system kept back nevertheless. \return false on failure, with errno */
   bool
   Sync() const
   {

@@ -31,11 +31,11 @@ public:
   WriteBehind &
   operator=(const WriteBehind &) = delete;
 
-  /** Has \a write done, whose data must stay until the next call returns. Throws what an earlier write threw. */
+  /** Starts \a write, whose data must stay until the next call returns. Throws the error of an earlier write. */
   void
   Submit(WriteFunction write);
 
-  /** Returns when nothing is under way. Throws what the last write threw. */
+  /** Waits for the last write. Throws its error. */
   void
   Wait();
 

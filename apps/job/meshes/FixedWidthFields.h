@@ -11,7 +11,7 @@
 namespace medialvoxel
 {
 
-/** Fields of a fixed width, of formats whose lines are those of punched cards. */
+/** Fields of a fixed width, of formats with the lines of punched cards. */
 
 /** The text, filled with blanks at its right. */
 std::string
@@ -20,7 +20,7 @@ GetField(std::string text, size_t width);
 std::string
 GetField(std::uint64_t number, size_t width);
 
-/** A number with a point, which tells it from an integer, in as many digits as the field holds.
+/** A number with a point, which distinguishes it from an integer, in as many digits as the field holds.
  * \param width 8 at least, for 1 digit; 16 hold 9 digits of every number */
 std::string
 GetRealField(float value, size_t width);

@@ -162,7 +162,8 @@ WriteSideSet(MeshReader &        reader,
   lines.Finish();
 }
 
-/** The nodes at rims or at junctions, the elements there, and those whose side of a number is one of them. */
+/** The nodes at rims or at junctions, the elements there, and the elements by the number of the side that lies there.
+ */
 void
 WriteEdgeSets(MeshReader &              reader,
               const std::string &       name,

@@ -11,7 +11,7 @@ namespace medialvoxel
 /** Corners of a triangle or quad, as places in the list of a face. */
 using MeshCorners = std::vector<unsigned int>;
 
-/** What a face is made of. */
+/** The elements of a face. */
 using MeshElements = std::vector<MeshCorners>;
 
 /** The triangles of a face: a quad is split along its shorter diagonal; when both are equally long, along that from

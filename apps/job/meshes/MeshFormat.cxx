@@ -24,7 +24,7 @@ struct Counts
   std::uint64_t quads;
 };
 
-/** What a format counts its faces by, and how many it holds. */
+/** The unit in which a format counts faces, and its limit. */
 struct FormatDescription
 {
   MeshFormat       format;

@@ -63,7 +63,7 @@ struct ThicknessRange
 bool
 HoldsElements(MeshFormat format);
 
-/** What the writers are told. */
+/** The settings of the writers. */
 struct MeshWriteOptions
 {
   /** Of the formats of solvers. */

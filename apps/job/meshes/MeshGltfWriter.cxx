@@ -34,7 +34,7 @@ constexpr int           ElementArrayBuffer = 34963;
 
 constexpr Color Gray{ 128, 128, 128 }; ///< where the thickness is not known
 
-/** What the file has to tell before its numbers. */
+/** The description before the numbers of the file. */
 struct Extent
 {
   std::array<float, 3> least;

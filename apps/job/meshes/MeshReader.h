@@ -13,7 +13,7 @@ namespace medialvoxel
 {
 
 /** \class MeshReader
- * \brief Walks over the vertices and faces of a spooled surface, and tells how far the writing is. */
+ * \brief Walks over the vertices and faces of a spooled mesh, and reports the progress of writing. */
 class MeshReader
 {
 public:
@@ -54,7 +54,7 @@ public:
       [&](std::uint64_t first, std::uint64_t index) { function(first + index, m_Faces[index]); });
   }
 
-  /** One vertex; fast when those asked for lie near each other, as those of successive faces do. */
+  /** One vertex; fast when successive calls ask for neighbors, like the corners of successive faces. */
   const Vertex &
   GetVertex(std::uint64_t number)
   {

@@ -14,7 +14,7 @@
 namespace medialvoxel
 {
 
-/** What sorting takes of the scratch folder for a vertex, beside the two surfaces. */
+/** Bytes of the scratch folder for a vertex while sorting, beside the two meshes. */
 constexpr std::uint64_t SortedVertexSize = sizeof(std::uint64_t);
 
 /** The number of the group that a vertex belongs to. */

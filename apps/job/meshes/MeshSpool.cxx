@@ -24,7 +24,7 @@ using Corners = std::array<std::uint32_t, 4>;
 
 constexpr unsigned int BitsOfHalf = 32;
 
-/** What a face has beside its vertices, in the scratch file. */
+/** Data of a face beside its vertices, in the scratch file. */
 struct FaceMarks
 {
   float        area;

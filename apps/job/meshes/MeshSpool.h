@@ -14,7 +14,7 @@
 namespace medialvoxel
 {
 
-/** What is read of faces; the rest of them is undefined. Less is faster. */
+/** The fields of faces that are read; the others are undefined. Fewer are faster. */
 enum class MeshFaceFields : std::uint8_t
 {
   Corners = 1, ///< vertices and numberOfVertices
@@ -22,7 +22,7 @@ enum class MeshFaceFields : std::uint8_t
   All = 3
 };
 
-/** What comes into a MeshSpool. */
+/** The input of a MeshSpool. */
 enum class MeshSpoolInput : std::uint8_t
 {
   Any,
@@ -61,7 +61,7 @@ public:
   void
   AddFaces(const std::vector<MeshFace> & faces) override;
 
-  /** Vertices in any order: those from number \a first on. All numbers up to the largest must come, each once. */
+  /** Vertices in any order: a run from number \a first on. All numbers up to the largest must come, each once. */
   void
   PutVertices(std::uint64_t first, const std::vector<Vertex> & vertices);
 

@@ -42,7 +42,7 @@ GetLabel(MeshReader & reader, const MeshWriteOptions & options, const MeshFace &
 std::string
 GetObjectName(std::int64_t label);
 
-/** What the mesh is, for a reader. */
+/** The kind of the mesh, for a reader. */
 inline std::string
 GetTitle(const MeshWriteOptions & options)
 {

@@ -32,7 +32,7 @@ public:
   using Take = std::function<void(std::uint64_t number, TResult && result)>;
 
   /** \param check called ten times a second by this thread; may throw to stop
-   * \throw what \a make, \a take or \a check threw first */
+   * \throw the first error of \a make, \a take or \a check */
   static void
   Run(std::uint64_t count, unsigned int threads, const Make & make, const Take & take, const Check & check)
   {

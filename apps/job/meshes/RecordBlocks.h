@@ -13,8 +13,8 @@ namespace medialvoxel
 {
 
 /** \class RecordBlocks
- * \brief Single records of a scratch file; fast when those asked for lie near each other, as those of successive faces
- * do. */
+ * \brief Single records of a scratch file; fast when successive calls ask for neighbors, like the corners of
+ * successive faces. */
 template <typename TRecord>
 class RecordBlocks
 {

@@ -13,12 +13,12 @@
 namespace medialvoxel
 {
 
-/** What a surface is rid of once all of it is known, and what that may take. */
+/** Limits of the branches and components that stay in a complete sheet, and the resources for it. */
 struct SheetCleaning
 {
   double                      minimumBranchLength{ 0 };  ///< physical units; 0: branches stay
   std::uint64_t               minimumComponentSize{ 0 }; ///< quadrilaterals; 0 and 1: components stay
-  std::filesystem::path       scratchFolder;             ///< of what is left
+  std::filesystem::path       scratchFolder;             ///< of the result
   std::uint64_t               memoryLimit{ 0 };          ///< that may be taken
   std::function<void(double)> progress;                  ///< called often; may throw to stop
 

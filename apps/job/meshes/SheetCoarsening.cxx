@@ -19,7 +19,7 @@ namespace
 using Index = itk::MedialVoxelSheet::Index;
 using Check = std::function<void()>;
 
-/** What readers and the lattice of parts hold. */
+/** Memory of readers and the lattice of parts. */
 constexpr std::uint64_t BaseMemory = std::uint64_t{ 40 } << 20;
 
 std::function<void(double)>

@@ -20,8 +20,7 @@ namespace
 
 constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 
-/** Cells of the surface in the slices that are smoothed at a time: those of thin walls, some of them along the slices.
- */
+/** Planned number of cells in the slices being smoothed: cells of thin walls, of which some lie along the slices. */
 constexpr std::uint64_t VoxelsPerCellInWork = 3;
 constexpr std::uint64_t CellInWorkSize = 152;
 
@@ -29,7 +28,7 @@ constexpr std::uint64_t CellInWorkSize = 152;
 constexpr std::uint64_t PendingCellSize = sizeof(itk::MedialVoxelSurfaceCell) * 5 / 4;
 static_assert(PendingCellSize <= 8 * SheetMesh::MostPending);
 
-/** What reading the scratch files for a writer takes. */
+/** Memory for reading the scratch files for a writer. */
 constexpr std::uint64_t WritingMemory = 8 * MiB;
 
 /** Of surfaces that are planned for, whose tables and scratch files hold all vertices; there are as many faces. */

@@ -78,8 +78,8 @@ public:
     m_ObjectLabels = std::move(labels);
   }
 
-  /** Writes the surface after the last piece, and finishes the file. \a progress may throw to stop.
-   * \param memoryLimit what may be taken beside those of GetFootprint()
+  /** Writes the sheet after the last piece, and finishes the file. \a progress may throw to stop.
+   * \param memoryLimit beside the memory of GetFootprint()
    * \throw JobError as CleanSheet() and WriteMesh() */
   SheetSummary
   Write(OutputFile &                        file,
@@ -87,7 +87,7 @@ public:
         unsigned int                        threads,
         const std::function<void(double)> & progress);
 
-  /** Finishes the surface after the last piece, as Write() does: sorted, and rid of what is too short or too small. */
+  /** Finishes the sheet after the last piece, as Write() does: sorted, without short branches and small components. */
   const MeshSpool &
   Finish(std::uint64_t memoryLimit, unsigned int threads, const std::function<void(double)> & progress);
 

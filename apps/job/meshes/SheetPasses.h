@@ -19,7 +19,7 @@ namespace medialvoxel
 class SheetPasses : public itk::MedialVoxelTileObserver
 {
 public:
-  /** Makes what builds the surface of a pass; all passes have the same settings. */
+  /** Makes the builder of a pass; all passes have the same settings. */
   using MakeObserver =
     std::function<std::unique_ptr<itk::MedialVoxelSurfaceObserver>(itk::MedialVoxelSurfaceConsumer & consumer)>;
 

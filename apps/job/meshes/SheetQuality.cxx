@@ -173,8 +173,8 @@ CountHanging(const Mesh & mesh, const std::vector<Side> & rims, MeshQuality & qu
 }
 
 /** \class Walls
- * \brief Elements that join over sides of two of them. Each stands for itself in two ways, as it is and turned: what is
- * joined with itself the other way round has one side only. */
+ * \brief Joins elements over sides that two of them share. Each element counts twice, as it is and turned: a wall
+ * that joins an element with its turned self has one side only. */
 class Walls
 {
 public:

@@ -27,7 +27,7 @@ using Index = itk::MedialVoxelSheet::Index;
 constexpr double NoiseOfSide = 0.5;
 constexpr double SidesOfFirst = 3.0;
 
-/** So often until what is left of a large surface is small. */
+/** Rounds of coarsening, at most, until a large sheet is small. */
 constexpr unsigned int MostCoarsenings = 4;
 
 /** Vertices or faces that are handed on at a time. */

@@ -16,7 +16,7 @@
 namespace medialvoxel
 {
 
-/** How a surface is brought to larger elements, and what that may take. */
+/** The size of the elements, and the resources for it. */
 struct SheetRemeshing
 {
   itk::MedialVoxelElementSize size;
@@ -26,13 +26,13 @@ struct SheetRemeshing
   std::function<void(double)> progress; ///< called often; may throw to stop
 };
 
-/** What the options ask for, which is not the size of a voxel. */
+/** The size that the options ask for; it is not the size of a voxel. */
 itk::MedialVoxelElementSize
 GetElementSize(const ExtractOptions & options, const VolumeGeometry & geometry);
 
-/** The surface in elements of a size, which keep their objects together. Parts of it are coarsened first; what is left
- * of them is held in memory.
- * \param summary of what was reached
+/** The sheet in elements of a size, which keep their objects together. Its parts are coarsened first; the result is
+ * held in memory.
+ * \param summary of the result
  * \throw JobError Refused when that is more memory than allowed, or more faces than numbers of 32 bits count */
 std::unique_ptr<MeshSpool>
 RemeshSheet(std::unique_ptr<MeshSpool>         surface,

@@ -24,17 +24,17 @@ struct SheetSection
 };
 
 /** \class SheetSections
- * \brief Puts the faces of a surface into sections by thickness.
+ * \brief Puts the faces of a sheet into sections by thickness.
  *
- * Faces of an object whose thickness has the same nearest multiple of the class width share a section. Those without a
- * known thickness have a section of their own with the mean of all others of the object, or of all objects where it has
- * none. Where nodes have the thickness, each object is a section, with that mean. */
+ * Faces of an object whose thickness has the same nearest multiple of the class width share a section. Faces without
+ * a known thickness have a section of their own. Its thickness is the mean of the object, or of all objects where
+ * the object has none. Where nodes have the thickness, each object is a section, with its mean. */
 class SheetSections
 {
 public:
   static constexpr size_t MaximumNumberOfSections = 10000;
 
-  /** Walks over all faces once. Elements are those of GetElements(). \param edges are kept
+  /** Walks over all faces once. Elements come from GetElements(). \param edges are kept
    * \throw JobError Usage when the width of thickness classes is not > 0 and finite
    * \throw JobError Refused when it gives too many sections
    * \throw JobError Failure when there are faces, but no thickness is known */
@@ -82,7 +82,7 @@ private:
   ClassType
   GetClass(const std::optional<double> & thickness) const;
 
-  /** What the faces of a section share. */
+  /** The key that the faces of a section share. */
   struct Key
   {
     std::uint32_t object;

@@ -42,7 +42,7 @@ MeasureFace(MeshReader & reader, const SheetEdges & edges, const MeshFace & face
   return { level < levels ? std::optional<double>(best->GetMean()) : std::nullopt, level };
 }
 
-/** What is summed up for a vertex takes so much more than a number. */
+/** Size of the sums of a vertex, in numbers. */
 constexpr std::uint64_t NumbersPerVertex = sizeof(ThicknessSums) / 8;
 
 std::uint64_t

@@ -48,7 +48,7 @@ public:
     return m_Junctions;
   }
 
-  /** How much of the wall a vertex shows. The nearest boundary points of a rim are on the end of the wall, those of a
+  /** How much of the wall a vertex shows. At a rim the nearest boundary points lie on the end of the wall, at a
    * junction in its fork. */
   enum Level : std::uint8_t
   {

@@ -35,7 +35,7 @@ public:
   void
   Add(const std::vector<float> & numbers);
 
-  /** Those of \a count vertices from number \a first on, which exist. \throw JobError Failure. */
+  /** The values of \a count existing vertices from number \a first on. \throw JobError Failure. */
   void
   Read(std::uint64_t first, std::uint64_t count, std::vector<float> & numbers) const;
 

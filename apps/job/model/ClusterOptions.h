@@ -17,7 +17,7 @@ namespace medialvoxel
 /** Name of the script in the folder of its job. */
 constexpr const char * SlurmScriptName = "slurm.sh";
 
-/** What is wanted of a Slurm job array that does the clusters of a job. */
+/** A Slurm job array that does the clusters of a job. */
 struct SlurmOptions
 {
   std::string                  fileName;        ///< of the script; empty: SlurmScriptName in the folder of the job
@@ -36,7 +36,7 @@ struct PlanOptions : ExtractOptions
   std::optional<SlurmOptions> slurm; ///< set: write a script for Slurm
 };
 
-/** What one process does of a job. */
+/** The share of one process in a job. */
 struct WorkOptions
 {
   std::string                  jobFolder;

@@ -19,7 +19,7 @@ struct ClusterRange
   std::uint64_t last{ 0 };
 };
 
-/** Ranges such as "3", "0-9" or "0-3,7"; nothing for other texts. */
+/** Parses ranges like "3", "0-9" or "0-3,7"; nothing for other texts. */
 std::optional<std::vector<ClusterRange>>
 ParseClusters(const std::string & text);
 

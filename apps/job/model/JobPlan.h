@@ -43,12 +43,12 @@ struct PlannedMemory
 {
   std::uint64_t planned{ 0 };       ///< peak of the process for walls of up to PlannedWallThickness
   std::uint64_t limit{ 0 };         ///< that the process keeps, or fails, whatever the walls
-  std::uint64_t fixed{ 0 };         ///< what depends neither on pieces nor on windows
+  std::uint64_t fixed{ 0 };         ///< depends neither on pieces nor on windows
   std::uint64_t perSlice{ 0 };      ///< results of the rows that are done at once
-  std::uint64_t surplus{ 0 };       ///< for what waits until a piece is done, counted in what is fixed
+  std::uint64_t surplus{ 0 };       ///< for cells that wait until a piece is done; counted in fixed
   std::uint64_t surplusTakers{ 1 }; ///< that share it
-  std::uint64_t toKeep{ 0 };   ///< of chunks of the input whose further slices are needed, counted in what is fixed
-  std::uint64_t unpacked{ 0 }; ///< of the values of a compressed volume; 0: it is not compressed
+  std::uint64_t toKeep{ 0 };        ///< of chunks of the input whose further slices are needed; counted in fixed
+  std::uint64_t unpacked{ 0 };      ///< of the values of a compressed volume; 0: it is not compressed
 };
 
 /** How a job will be done, decided before it starts. */
@@ -57,11 +57,11 @@ struct JobPlan
   std::uint64_t numberOfSlices{ 0 };
   std::uint64_t divisions{ 1 };
   std::uint64_t sliceUnit{ 1 };    ///< pieces, but the last one, have a multiple of it
-  std::uint64_t slicesAtOnce{ 0 }; ///< most slices that are done before they are written; 0: those of a piece
-  std::uint64_t rowsAtOnce{ 0 };   ///< rows of such slices that are done after each other; 0: all of them
+  std::uint64_t slicesAtOnce{ 0 }; ///< most slices that are done before they are written; 0: all of a piece
+  std::uint64_t rowsAtOnce{ 0 };   ///< rows of the slices that are done after each other; 0: all
   unsigned int  threads{ 1 };
   std::uint64_t slabThickness{ 0 }; ///< slices that the engines process between two pulls of input; 0: they choose
-  std::uint64_t slabSlices{ 1 };    ///< the same, or what they choose
+  std::uint64_t slabSlices{ 1 };    ///< the same, or the engine's choice
 
   PlannedMemory memory;
   bool          writesBehind{ false }; ///< a piece is written while the next one is computed: both are in memory
@@ -114,7 +114,7 @@ struct JobPlan
   GetSlicesAtOnce() const;
 };
 
-/** Walls, in voxels, whose distances the planned windows hold. Thicker ones take what memoryLimit leaves. */
+/** Walls, in voxels, whose distances the planned windows hold. Thicker walls take the rest of memoryLimit. */
 constexpr unsigned int PlannedWallThickness = 16;
 
 } // end namespace medialvoxel

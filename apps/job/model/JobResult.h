@@ -24,7 +24,7 @@
 namespace medialvoxel
 {
 
-/** Seconds of a job. Those of the kernels are summed over threads, the others pass on the wall. */
+/** Seconds of a job. The kernels are summed over threads, the others are elapsed time. */
 struct JobSeconds
 {
   double distance{ 0.0 };
@@ -35,7 +35,7 @@ struct JobSeconds
   double total{ 0.0 };
 };
 
-/** What a job did, or with dryRun would do. */
+/** The result of a job; with dryRun its plan. */
 struct JobResult
 {
   VolumeHeader                             input;
@@ -59,7 +59,7 @@ struct JobResult
   Json                                     report; ///< all of it that is shown, at the end of the job
 };
 
-/** What a run says of thin walls. */
+/** The verdict of a run on thin walls. */
 enum class WallVerdict
 {
   Good,

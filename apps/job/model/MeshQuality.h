@@ -12,8 +12,8 @@
 namespace medialvoxel
 {
 
-/** What solvers ask of a shell mesh. Scaled Jacobian and aspect ratio are those of the Verdict library. The Python
- * package measures the same of files in `_check.py`. */
+/** Requirements of solvers on a shell mesh. Scaled Jacobian and aspect ratio are defined as in the Verdict library.
+ * `_check.py` of the Python package measures the same. */
 struct MeshQuality
 {
   std::uint64_t nodes{ 0 }; ///< of elements

@@ -15,8 +15,8 @@ namespace medialvoxel
 void
 CheckLabel(const JobOptions & options, const VolumeHeader & header);
 
-/** Which values the options make object: a label, those between thresholds, or all but 0. CheckLabel() has seen that
- * the type has the label. */
+/** The values that the options make object: a label, the range between the thresholds, or all but 0. CheckLabel() has
+ * checked that the type has the label. */
 itk::MedialVoxelObjectRule
 GetObjectRule(const JobOptions & options);
 

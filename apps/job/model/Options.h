@@ -39,7 +39,7 @@ struct LabelSelection
 {
   bool                      all{ false }; ///< all but 0
   std::vector<std::int64_t> values;       ///< otherwise these, none of them 0
-  std::vector<std::string>  names;        ///< and those of the segments with these names
+  std::vector<std::string>  names;        ///< names of further segments
 };
 
 /** "all", or labels from -2^63 to 2^63 - 1 other than 0, and names, with commas between them; nothing for other texts.
@@ -49,7 +49,7 @@ ParseLabelSelection(const std::string & text);
 
 constexpr double KeepSpacing = -1.0;
 
-/** What every job on a volume is told. Empty file names mean: not wanted. */
+/** Options of every job on a volume. An empty file name means: not wanted. */
 struct JobOptions
 {
   std::string                   input;
@@ -76,7 +76,7 @@ struct JobOptions
 
   std::string scratchFolder; ///< for a compressed volume whose values do not fit the memory; empty: none
 
-  std::optional<std::uint64_t> memoryLimit;       ///< cap on the memory; unset: half of what is free
+  std::optional<std::uint64_t> memoryLimit;       ///< cap on the memory; unset: half of the free memory
   std::optional<unsigned int>  threads;           ///< 1 or more; unset: as ITK decides
   std::optional<std::uint64_t> divisions;         ///< pieces along the last axis, 1 or more; unset: chosen
   bool                         sparse{ false };   ///< blocks of zeros stay holes of the files, nothing is reserved
@@ -132,12 +132,12 @@ struct ExtractOptions : JobOptions
   /** Measure on gray values, which needs a threshold; unset: where one threshold cuts the values. */
   std::optional<bool> subVoxel;
 
-  std::optional<itk::MedialVoxelScanLevels> materials; ///< values of both materials; unset: those of the scan
+  std::optional<itk::MedialVoxelScanLevels> materials; ///< values of both materials; unset: from the scan
   std::optional<WallMeasure>                measure;   ///< how walls are measured, when it is known before
 
   std::optional<LabelSelection> labels;     ///< each of these values is an object of its own, without thresholds
   std::string                   objectFile; ///< label of the object of each cell, of the type of the input
-  std::string segmentFile; ///< names and colors of the labels; empty: those of the input, where it has some
+  std::string segmentFile; ///< names and colors of the labels; empty: from the input, where it has some
 
   std::string                vectorFile; ///< vectors to the nearest boundary point, float32
   itk::MedialVoxelBoundary   vectorBoundary{ itk::MedialVoxelBoundary::Object };
@@ -228,7 +228,7 @@ GetRequestedSmoothing(const ExtractOptions & options);
 Smoothing
 GetSmoothing(const ExtractOptions & options);
 
-/** What decides the thickness, with the limits in effect on \a grid.
+/** The parameters of the thickness, with the limits in effect on \a grid.
  * \throw JobError Usage when the limits contradict each other. */
 itk::MedialVoxelParameters
 GetParameters(const ExtractOptions & options, const itk::MedialVoxelGrid & grid);
@@ -242,19 +242,19 @@ GetLocalThickness(const ExtractOptions & options, const itk::MedialVoxelGrid & g
 itk::MedialVoxelParameters::Limits
 GetLimitsOfWalls(const ExtractOptions & options, const itk::MedialVoxelGrid & grid);
 
-/** What stands for the automatic thickness on the command line and in reports. */
+/** The automatic thickness, on the command line and in reports. */
 constexpr const char * AutomaticThickness = "auto";
 
 constexpr const char * AutomaticElementSize = "auto";
 constexpr const char * VoxelElementSize = "voxel";
 
-/** What stands for the smallest spacing of the input where a spacing is resampled to. */
+/** Stands for the smallest spacing of the input as the spacing to resample to. */
 constexpr const char * AutomaticSpacing = "auto";
 
-/** What keeps the spacing of the input. */
+/** Keeps the spacing of the input. */
 constexpr const char * UnchangedSpacing = "off";
 
-/** What lengths are in, for a reader. */
+/** The unit of lengths, for a reader. */
 std::string
 DescribeUnit(const JobOptions & options, const VolumeGeometry & geometry);
 

@@ -29,7 +29,7 @@ struct OutputRequest
   std::string                role;
   std::filesystem::path      fileName;
   std::optional<VoxelLayout> layout;           ///< set for volumes
-  bool                       appends{ false }; ///< what the file has stays
+  bool                       appends{ false }; ///< the file keeps its content
 
   /** True for a volume that is wanted. */
   bool
@@ -49,7 +49,7 @@ struct TileTarget
   bool                              voxelUnits{ false };
 };
 
-/** Writes what was found in a tile to the voxels of a volume, all of them. */
+/** Writes the result of a tile to all its voxels in a volume. */
 using TileWriter = void (*)(const itk::MedialVoxelTileResult &, const TileTarget &);
 
 /** A volume that a job writes. */

@@ -67,7 +67,7 @@ GetLayout(const VolumeHeader &)
   return VLayout;
 }
 
-/** What the values of the input are. */
+/** The kind of the values of the input. */
 VoxelLayout
 GetObjectLayout(const VolumeHeader & input)
 {

@@ -39,7 +39,7 @@ struct OutputKind
   std::string TOptions::*   option;                       ///< its file name
   std::optional<VolumeKind> volume{};                     ///< of volumes
   std::optional<JobRefusal> refusal{};                    ///< set: no job of several processes makes it
-  std::vector<std::string>  extensions{};                 ///< of others; none: any, or those of the mesh formats
+  std::vector<std::string>  extensions{};                 ///< of other files; none: any, or the mesh formats
   const char *              name{ nullptr };              ///< in the message on another extension
   bool                      mayBeStandardOutput{ false }; ///< then there is no file
 
@@ -122,8 +122,7 @@ ListVolumeNames(const TOptions & options)
 bool
 MeasuresWalls(const ExtractOptions & options);
 
-/** \throw JobError Usage when a file has a name that does not say what will be in it; of volumes and meshes, their
- * formats do. */
+/** \throw JobError Usage when the extension of a file does not fit its content. Formats check volumes and meshes. */
 void
 CheckExtensions(const ExtractOptions & options);
 

@@ -11,7 +11,7 @@
 namespace medialvoxel
 {
 
-/** What is the matter with the walls of a place. */
+/** Why a place is listed. */
 enum class PlaceKind
 {
   Thin,
@@ -38,7 +38,7 @@ struct PlaceLimits
 };
 
 /** Connected medial cells whose walls are too thin or too thick. Points are in physical space, indices count cells;
- * what an image has no axes for is 0. */
+ * axes that the image lacks are 0. */
 struct WallPlace
 {
   using Point = std::array<double, 3>;
@@ -66,7 +66,7 @@ struct PlaceSummary
   double                 limit{ 0.0 };
   double                 growLimit{ 0.0 };
   double                 minimumPlaceArea{ 0.0 };
-  std::uint64_t          number{ 0 };       ///< of places, also those that are not listed
+  std::uint64_t          number{ 0 };       ///< of places, with the unlisted ones
   std::uint64_t          cells{ 0 };        ///< of all of them
   double                 area{ 0.0 };       ///< of all of them
   double                 areaBeyond{ 0.0 }; ///< of their cells beyond the limit

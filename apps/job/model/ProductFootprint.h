@@ -10,8 +10,8 @@
 namespace medialvoxel
 {
 
-/** What a piece finds and keeps until it is done, in bytes for each of its voxels. Pieces that find more than memory
- * allows are done in smaller ones. */
+/** Bytes of results that a piece keeps until it is done, for each of its voxels. Pieces that exceed the memory are
+ * done in smaller ones. */
 struct PieceSurplus
 {
   std::uint64_t most{ 0 };
@@ -20,10 +20,10 @@ struct PieceSurplus
   std::uint64_t shareOfRest{ 4 }; ///< it takes one of so many parts of the memory that is left
 };
 
-/** What takes part in a run, in bytes. */
+/** Bytes of a product in a run. */
 struct ProductFootprint
 {
-  std::uint64_t beside{ 0 };         ///< what does not depend on pieces
+  std::uint64_t beside{ 0 };         ///< independent of pieces
   std::uint64_t saving{ 0 };         ///< beside, while it is saved for another process
   std::uint64_t perVoxelOfTile{ 0 }; ///< of a worker, of who sees the tiles
   PieceSurplus  surplus{};

@@ -19,14 +19,14 @@ namespace medialvoxel
 /** Red, green and blue, each from 0 to 1. */
 using SegmentColor = std::array<double, 3>;
 
-/** What an object of a label map is called. Texts have no control characters. */
+/** Name and color of an object of a label map. Texts have no control characters. */
 struct Segment
 {
   std::int64_t                label{ 0 }; ///< from -2^31 to 2^31 - 1, not 0
   std::string                 name;       ///< may be empty
   std::optional<SegmentColor> color;
   std::string                 id;   ///< in a segmentation of 3D Slicer; empty: it has none
-  std::string                 tags; ///< of 3D Slicer, for what the segment means; empty: none
+  std::string                 tags; ///< 3D Slicer's terminology of the segment; empty: none
 };
 
 /** \class SegmentTable
@@ -59,7 +59,7 @@ private:
   std::map<std::int64_t, std::size_t> m_Places; ///< in the list, by label
 };
 
-/** The labels of a selection, also of those that are given by names.
+/** The labels of a selection, including those given by names.
  * \throw JobError Usage for a name that no segment has, or several have */
 LabelSelection
 ResolveNames(const LabelSelection & selection, const SegmentTable & table);

@@ -14,7 +14,7 @@
 namespace medialvoxel
 {
 
-/** What a report tells of a medial surface. */
+/** The medial mesh in a report. */
 struct SheetSummary
 {
   std::uint64_t vertices{ 0 };

@@ -28,7 +28,7 @@ struct VolumeGeometry
   std::vector<double>              spacing;
   std::vector<double>              origin;
   std::vector<std::vector<double>> direction; ///< direction[axis] is the unit vector of that axis
-  bool inMillimeters{ false };                ///< the lengths, as the file tells; else their unit is not known
+  bool inMillimeters{ false };                ///< whether the file gives millimeters; else the unit is unknown
 
   unsigned int
   GetDimension() const
@@ -50,7 +50,7 @@ struct VolumeGeometry
     return inMillimeters ? "mm" : "units of the spacing";
   }
 
-  /** Lets the axes run along those of space. */
+  /** Aligns the axes with the axes of space. */
   void
   SetIdentityDirection();
 
@@ -77,7 +77,7 @@ struct RawDescription
   bool                       bigEndian{ false };
 };
 
-/** What makes the values of a volume from the numbers in its file: slope * number + intercept. */
+/** Maps numbers of the file to values of the volume: slope * number + intercept. */
 struct ValueScale
 {
   double slope{ 1.0 };
@@ -112,7 +112,7 @@ struct VolumeChunks
   bool                         inShards{ false };   ///< several in one file
   std::uint64_t                bytesPerThread{ 0 }; ///< memory of a thread that reads them
   std::uint64_t                bytesOfIndices{ 0 }; ///< memory of where they are, for all threads together
-  std::uint64_t bytesPerLayer{ 0 }; ///< of those beside each other; 0: none is kept for slices further on
+  std::uint64_t                bytesPerLayer{ 0 };  ///< of chunks beside each other; 0: none is kept for later slices
 };
 
 /** Everything there is to know about a volume before its voxels are read. */
@@ -151,10 +151,10 @@ struct VolumeHeader
   /** Of a volume whose slices are images of their own. */
   std::shared_ptr<const SliceSeries> series;
 
-  /** What reading the header had to assume or to choose. */
+  /** Assumptions and choices made while the header was read. */
   std::vector<Warning> warnings;
 
-  /** Of a volume that is resampled while it is read: what is in the file. */
+  /** The stored volume, when it is resampled while it is read. */
   std::shared_ptr<const VolumeHeader> stored;
 
   const VolumeHeader &

@@ -12,7 +12,7 @@ namespace medialvoxel
 
 class SegmentTable;
 
-/** What the voxels of an output are: \a components values of one type each. */
+/** The voxels of an output: \a components values of one type each. */
 struct VoxelLayout
 {
   PixelType    pixelType{ PixelType::UInt8 };

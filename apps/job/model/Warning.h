@@ -11,7 +11,7 @@
 namespace medialvoxel
 {
 
-/** What a user must know before a result is used. The job itself goes on; without evidence there is no verdict on
+/** Something a user must know before a result is used. The job goes on; without evidence there is no verdict on
  * walls. */
 struct Warning
 {
@@ -21,8 +21,8 @@ struct Warning
   bool                                        isOfEvidence{ false }; ///< too little was measured for a verdict on walls
 };
 
-/** Codes of what headers warn of. Those of requests and results are in the tables of reports/Warnings.cxx and
- * ObjectWarnings.cxx. */
+/** Codes of the warnings of headers. reports/Warnings.cxx and ObjectWarnings.cxx have the codes of requests and
+ * results. */
 namespace HeaderWarnings
 {
 constexpr const char * ContradictingForms = "contradicting_forms";

@@ -12,7 +12,7 @@
 namespace medialvoxel
 {
 
-/** Commands of the program, of which an option names those that have it. */
+/** Commands of the program; an option names its commands. */
 namespace Commands
 {
 constexpr unsigned int Extract = 1;
@@ -31,7 +31,7 @@ constexpr unsigned int Volumes = Runs | Info;              ///< that read one
 constexpr unsigned int Processes = Runs | Work | Finalize; ///< that take a while
 } // namespace Commands
 
-/** What a job of several processes keeps of an option. */
+/** The part of an option that a job of several processes keeps. */
 enum class Kept
 {
   No,     ///< it changes nothing of the job
@@ -43,9 +43,9 @@ enum class Kept
 struct SlicerParameter
 {
   std::string group{};
-  std::string name{}; ///< empty: the module has no such parameter
+  std::string name{}; ///< empty: the module has no parameter for it
   std::string label{};
-  std::string description{}; ///< empty: what the manual says
+  std::string description{}; ///< empty: the text of the manual
   std::string element{};     ///< of the XML, with its attributes; empty: that of a flag, a choice or a text
   std::string channel{};     ///< input or output, of files
   OptionValue value{};       ///< unset: that of the option, which an empty text leaves as it is
@@ -67,7 +67,7 @@ struct OptionRow
   std::string     help;      ///< the line of the help, without a full stop
   std::string     details;   ///< further sentences, of the manual and the reference
   std::string     companion; ///< an option that has to be given, too
-  std::string     need;      ///< what it needs to have an effect
+  std::string     need;      ///< the option works only with this
   Kept            kept{ Kept::No };
   unsigned int    python{ 0 }; ///< functions for arrays with a keyword of this name
   SlicerParameter slicer{};

@@ -15,7 +15,7 @@
 namespace medialvoxel
 {
 
-/** A text that is no value of an option: the text, and what is allowed. */
+/** A text that is no value of an option: the text, and the allowed values. */
 struct WrongValue : std::invalid_argument
 {
   using std::invalid_argument::invalid_argument;
@@ -23,7 +23,7 @@ struct WrongValue : std::invalid_argument
 
 constexpr std::uint64_t LargestCount = std::uint64_t{ 1 } << 62;
 
-/** Each reads the whole text, or throws WrongValue. \param others what the option takes beside */
+/** Each reads the whole text, or throws WrongValue. \param others further allowed values */
 double
 ToFinite(const std::string & text);
 double
@@ -61,7 +61,7 @@ ToLevels(const std::string & text);
 PlaceLimits
 ToPlaceLimits(const std::string & text, PlaceKind kind);
 
-/** What the texts above are made from. */
+/** The inverse of the functions above. */
 std::string
 FormatFlag(bool value);
 std::string
@@ -77,7 +77,7 @@ FormatPlaceLimits(const PlaceLimits & limits);
 std::size_t
 FindChoice(const std::vector<std::string> & names, const std::string & text);
 
-/** What a flag says: true, on, yes and 1, or false, off, no and 0, in any case. */
+/** The value of a flag: true, on, yes and 1, or false, off, no and 0, in any case. */
 std::optional<bool>
 ParseFlag(const std::string & text);
 

@@ -32,7 +32,7 @@ using OptionTarget = std::tuple<JobOptions *,
                                 ProgramOptions *,
                                 ModuleOptions *>;
 
-/** Of structures that lie beside each other; options of an extraction are also those of a job. */
+/** For structures beside each other; options of an extraction include the options of the job. */
 template <typename... TOptions>
 OptionTarget
 MakeTarget(TOptions &... options)
@@ -63,7 +63,7 @@ struct OptionValue
    * structure of this type. */
   std::function<std::optional<std::string>(const OptionTarget & target)> get;
 
-  std::optional<std::string> initial;         ///< what get() says of new structures
+  std::optional<std::string> initial;         ///< the result of get() for new structures
   std::vector<std::string>   choices;         ///< names that it takes, the default first; none: any text
   bool                       isFlag{ false }; ///< takes no word of its own, but a value behind an equals sign
 };
@@ -165,7 +165,7 @@ Flag(TMember TOptions::* member)
   return value;
 }
 
-/** A text that is not empty, called \a what. \param read what is kept of it */
+/** A text that is not empty, called \a what in errors. \param read converts it */
 template <typename TOptions>
 OptionValue
 Text(std::string TOptions::* member, std::string what, std::string (*read)(const std::string &) = nullptr)

@@ -13,13 +13,13 @@
 namespace medialvoxel
 {
 
-/** What the program is told beside the job. */
+/** Options of the program beside the job. */
 struct ProgramOptions
 {
   std::string   jobFolder;
   bool          resumes{ false };     ///< the extraction
   bool          showsValues{ false }; ///< of the volume
-  bool          showsLabels{ false }; ///< what its objects take when it is a label map
+  bool          showsLabels{ false }; ///< lists the objects of a label map
   bool          printsJson{ false };
   ProgressStyle progress{ ProgressStyle::Auto };
   bool          quiet{ false };
@@ -38,7 +38,7 @@ enum class ObjectSelection
   Labels      ///< each of several labels, as an object of its own
 };
 
-/** What the module for 3D Slicer is told in place of some options of the job, which CompleteJob() sets. */
+/** Parameters of the module of 3D Slicer in place of options of the job, which CompleteJob() sets. */
 struct ModuleOptions
 {
   ExtractOptions  job;

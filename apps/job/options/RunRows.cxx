@@ -51,7 +51,7 @@ SetSlurm(PlanOptions & options, const std::string & text)
   {
     throw WrongValue("'' is not the name of a file");
   }
-  // What is no value of a flag is the name of a file.
+  // A text that is no value of a flag is the name of a file.
   const std::optional<bool> isWanted = ParseFlag(text);
   if (isWanted.value_or(true))
   {
@@ -83,7 +83,7 @@ SetClusters(WorkOptions & options, const std::string & text)
   options.clusters = *ranges;
 }
 
-/** Of what is never written again. */
+/** For files that are never written again. */
 template <typename TOptions>
 OptionValue
 ReadOnly(void (*set)(TOptions &, const std::string &), bool isFlag = false)

@@ -75,7 +75,7 @@ GetLabel(const std::string & name)
   return name;
 }
 
-/** What the manual says, with the parameters of the module in place of the options. */
+/** The text of the manual, with the parameters of the module in place of the options. */
 std::string
 GetManualText(const OptionRow & row)
 {

@@ -18,7 +18,7 @@
 namespace medialvoxel
 {
 
-/** An engine, which keeps its windows, and what it gives. */
+/** An engine with its windows and results. */
 struct EngineFootprint
 {
   VolumeFiller                   filler{ VolumeFiller::Extraction };
@@ -33,12 +33,12 @@ struct Footprint
 
   itk::MedialVoxelGrid         grid;
   std::vector<EngineFootprint> engines;              ///< they take turns on each piece; the extraction is the first
-  std::uint64_t                beside{ 0 };          ///< what does not depend on pieces
-  std::uint64_t                perThread{ 0 };       ///< of threads that read, beside what they always take
-  std::uint64_t                saving{ 0 };          ///< of a process that saves what it found
+  std::uint64_t                beside{ 0 };          ///< independent of pieces
+  std::uint64_t                perThread{ 0 };       ///< of threads that read, beyond their fixed share
+  std::uint64_t                saving{ 0 };          ///< of a process that saves its results
   std::uint64_t                perVoxelOfUnion{ 0 }; ///< of the passes over a piece, beside its results; 0: one pass
   std::uint64_t                surplusTakers{ 0 };   ///< products that share the surplus
-  PieceSurplus                 surplus;              ///< what waits for its piece to be done
+  PieceSurplus                 surplus;              ///< results that wait for their piece to be done
   std::uint64_t                slicesOfLayer{ 1 };   ///< pieces have a multiple of it where they can: a layer of chunks
   std::uint64_t                rowsOfLayer{ AllRows };   ///< slices may be done in multiples of it; 0: some cannot
   bool                         needsSlices{ true };      ///< slices are done as a whole

@@ -23,8 +23,8 @@ class OutputSet
 public:
   /** \param options must outlive the set
    * \param writesBehind volumes are written in a thread of their own, which may wait for the disk
-   * \param suffix end of the temporary names of files, when one process at a time has such a set: what one left that
-   * was killed is removed */
+   * \param suffix end of temporary names, when one process at a time has this set: leftovers of a killed process are
+   * removed */
   OutputSet(const JobOptions & options, bool writesBehind, const std::string & suffix = "")
     : m_Options(options)
     , m_WritesBehind(writesBehind)

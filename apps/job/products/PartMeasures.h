@@ -14,7 +14,7 @@
 namespace medialvoxel
 {
 
-/** Rays without an answer, by what ends them. */
+/** Rays without an answer, by the reason. */
 struct UnansweredRays
 {
   std::uint64_t leaveVolume{ 0 }; ///< or start outside of it, at a cap
@@ -28,7 +28,7 @@ struct UnansweredRays
   }
 };
 
-/** What the building of a surface tells of it. */
+/** Measures of the surface of a part. */
 struct PartFacts
 {
   bool           usesGrayValues{ false }; ///< to place the vertices; otherwise they are in the middle between voxels

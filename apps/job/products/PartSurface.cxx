@@ -18,7 +18,7 @@ namespace
 
 constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 
-/** What reading the scratch files takes, for measures and writers, and what waits for them. */
+/** Memory for reading the scratch files, by measures and writers, and for their results. */
 constexpr std::uint64_t WritingMemory = 24 * MiB;
 
 /** Of surfaces that are planned for; there are twice as many triangles. */

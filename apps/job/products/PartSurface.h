@@ -49,8 +49,8 @@ public:
   VoxelOutput &
   GetMap();
 
-  /** Writes the surface after the last slice of the map, and finishes the file. Returns what a report tells of it. \a
-   * progress may throw to stop. */
+  /** Writes the surface after the last slice of the map, and finishes the file. Returns its measures. \a progress may
+   * throw to stop. */
   Json
   Write(OutputFile & file, const std::function<void(double)> & progress);
 

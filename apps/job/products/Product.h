@@ -22,7 +22,7 @@ namespace medialvoxel
 class SheetMesh;
 struct Pictures;
 
-/** What products start with. */
+/** The context in which products start. */
 struct ProductStart
 {
   const JobResult & job;              ///< header and plan
@@ -33,7 +33,7 @@ struct ProductStart
   const Pictures * pictures{ nullptr }; ///< they are drawn at the end
 };
 
-/** What they are completed with. */
+/** The context in which products are completed. */
 struct ProductEnd
 {
   const OutputSet &           outputs;  ///< whose volumes are finished
@@ -41,19 +41,19 @@ struct ProductEnd
   std::function<void(double)> progress; ///< may throw to stop
 };
 
-/** What of a product a run serves; null: it has nothing of the kind. */
+/** The interfaces of a product that a run serves; null: absent. */
 struct ProductLinks
 {
   itk::MedialVoxelTileObserver * observer{ nullptr }; ///< sees the tiles of the extraction
   TileSurvey *                   survey{ nullptr };   ///< the same, if it is saved for other processes
-  SheetMesh *                    mesh{ nullptr };     ///< tells the objects of a label map apart
+  SheetMesh *                    mesh{ nullptr };     ///< separates the objects of a label map
   VolumeRequest *                request{ nullptr };  ///< of a volume that an engine fills
   VoxelOutput *                  volume{ nullptr };   ///< where it goes
 };
 
 /** \class Product
- * \brief What a run makes: an output, or the base of some. It adds what it takes to the plan, sees the run, and is
- * completed at its end. */
+ * \brief A result of a run: an output, or the base of several. It adds its memory to the plan, observes the run, and
+ * is completed at its end. */
 class Product
 {
 public:
@@ -63,12 +63,12 @@ public:
   {}
   virtual ~Product() = default;
 
-  /** Adds the memory that Start() and what follows will take. */
+  /** Adds the memory of Start() and of the run. */
   virtual void
   AddTo(Footprint &, const VolumeHeader &) const
   {}
 
-  /** Makes what sees the run. */
+  /** Makes the observers of the run. */
   virtual void
   Start(ProductStart &)
   {}
@@ -101,12 +101,12 @@ public:
   BeginRegion(const itk::MedialVoxelBox &)
   {}
 
-  /** Makes what needs all pieces, when the volumes are finished. */
+  /** Makes the outputs that need all pieces, when the volumes are finished. */
   virtual void
   Complete(JobResult &, const ProductEnd &)
   {}
 
-  /** Adds to the complete result; those after it see what it adds. */
+  /** Adds to the complete result; later products see the addition. */
   virtual void
   Describe(JobResult &)
   {}
@@ -143,8 +143,8 @@ using ProductList = std::vector<std::unique_ptr<Product>>;
 std::string
 SaveSurveys(const ProductList & products);
 
-/** Adds what the same products saved elsewhere, in the order of their slices. \throw JobError Failure when these are
- * not their bytes */
+/** Merges the saved results of the same products, in the order of their slices. \throw JobError Failure when the
+ * bytes do not fit */
 void
 MergeSurveys(const ProductList & products, const std::string & bytes);
 

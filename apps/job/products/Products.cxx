@@ -136,7 +136,7 @@ ProductList
 MakeProducts(const ExtractOptions & options, const VolumeHeader & header)
 {
   ProductList products = MakeVolumes(options, header);
-  // Each may use those before it.
+  // Each may use the previous ones.
   for (const ProductRow * const row :
        { &MeshRow, &StatisticsRow, &PictureRow, &PlaceRow, &PageRow, &ReportRow, &ParameterRow })
   {

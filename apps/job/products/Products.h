@@ -50,8 +50,8 @@ extern const ProductRow StatisticsRow, PlaceRow, PictureRow, PageRow, MeshRow;
 std::unique_ptr<Product>
 MakePart(const PartOptions & options, const VolumeHeader & header);
 
-/** What the options ask for: the volumes of Outputs.cxx, the labels first, and the rows of Products.cxx.
- * \param options must outlive them; what is measured before the start may be set later */
+/** The products that the options ask for: the volumes of Outputs.cxx, labels first, and the rows of Products.cxx.
+ * \param options must outlive them; values measured before the start may be set later */
 ProductList
 MakeProducts(const ExtractOptions & options, const VolumeHeader & header);
 ProductList

@@ -15,7 +15,7 @@
 namespace medialvoxel
 {
 
-/** What a process knows of a cluster that it has done, whose bytes are on the disk. */
+/** The record of a finished cluster, whose bytes are on the disk. */
 struct ClusterMarker
 {
   std::map<std::string, std::uint32_t> checksums; ///< CRC-32 of the cluster's voxels in each volume, by role
@@ -36,8 +36,7 @@ WriteMarker(const std::filesystem::path & fileName,
             std::uint64_t                 cluster,
             const ClusterMarker &         marker);
 
-/** Nothing when there is no such file, or it is damaged or of another job or cluster: then the cluster is to be done.
- */
+/** Nothing when the file is missing, damaged or of another job or cluster: then the cluster must be done. */
 std::optional<ClusterMarker>
 ReadMarker(const std::filesystem::path & fileName, const Manifest & manifest, std::uint64_t cluster);
 

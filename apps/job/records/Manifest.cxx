@@ -18,7 +18,7 @@ namespace medialvoxel
 namespace
 {
 
-/** To be raised with every change of what the files of a job mean. */
+/** Raise with every change of the meaning of the files of a job. */
 constexpr int ManifestFormat = 13;
 
 /** Calls use(row) for the options that a job keeps in this way. */
@@ -55,7 +55,7 @@ KeptFromJson(const Kept kept, const Json & json, ExtractOptions & options)
   });
 }
 
-/** Everything that decides a byte: options, and what was found in the volume before. */
+/** Everything that decides a byte: options, and the findings in the volume before. */
 Json
 ParametersToJson(const ExtractOptions & options)
 {

@@ -16,7 +16,7 @@
 namespace medialvoxel
 {
 
-/** What the processes of a job agree on: everything that decides a byte of the result, and where it is written. */
+/** The agreement of the processes of a job: everything that decides a byte of the result, and its destination. */
 struct Manifest
 {
   std::string           version; ///< of the program
@@ -42,7 +42,7 @@ struct Manifest
     return this->GetPlan().GetNumberOfUnits();
   }
 
-  /** What the temporary names of the outputs have behind their final names. */
+  /** The suffix of the temporary names of the outputs. */
   std::string
   GetSuffix() const;
 
@@ -55,7 +55,7 @@ private:
 void
 WriteManifest(const std::filesystem::path & fileName, const Manifest & manifest);
 
-/** Nothing when there is no such file.
+/** Nothing when the file does not exist.
  * \throw JobError Failure when it is damaged or changed, or of another version of the program. */
 std::optional<Manifest>
 ReadManifest(const std::filesystem::path & fileName);

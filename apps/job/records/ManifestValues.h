@@ -11,8 +11,8 @@
 namespace medialvoxel
 {
 
-/** What was found in a volume, in a manifest; what is not set is null. Reading throws Json::exception or
- * std::invalid_argument for what was not written so. */
+/** The findings in a volume, in a manifest; unset ones are null. Reading other text throws Json::exception or
+ * std::invalid_argument. */
 Json
 RoughnessToJson(const std::optional<itk::MedialVoxelRoughness> & roughness);
 std::optional<itk::MedialVoxelRoughness>

@@ -197,7 +197,7 @@ public:
   }
 
 private:
-  /** What is between a bracket at the front and its end. */
+  /** The text between a bracket at the front and its end. */
   static std::string_view
   TakeBracket(std::string_view text)
   {

@@ -12,7 +12,7 @@
 namespace medialvoxel
 {
 
-/** What a page has beside the values: adds the part of a name. */
+/** Further sources of a page beside the values: adds the part of a name. */
 using PageParts = std::function<void(const std::string & name, std::string & page)>;
 
 /** A text with values of a result in its places.

@@ -18,9 +18,9 @@ struct Pictures
   std::string thicknesses;
 };
 
-/** The report of an extraction as one page that needs nothing beside itself: `page/report.html` with the values of the
- * report. What depends on the run and the machine stands in its last section. \param command that was typed; empty: it
- * is not known */
+/** The report of an extraction as one page that needs no other file: `page/report.html` filled with the values of the
+ * report. Values that depend on the run and the machine stand in its last section. \param command that was typed;
+ * empty: unknown */
 std::string
 MakeHtmlReport(const Json &           report,
                const std::string &    command,

@@ -11,13 +11,12 @@ namespace medialvoxel
 {
 
 /** \class LengthHistogram
- * \brief Numbers of lengths, rounded to multiples of a bin width, and what follows from them.
+ * \brief Counts lengths, rounded to multiples of a bin width, and derives their statistics.
  *
- * Whole numbers in bins that are fixed from the start are all that is kept. Sums of whole numbers do not depend on
- * their order, so that every result has the same bits for any division of the work; sums of lengths would not. The
- * rounding is the price: percentiles, minimum and maximum are multiples of the width, and the mean is off by less than
- * half of it, mostly by far less. Multiples are the middles of the bins, so that whole voxels come out exactly.
- */
+ * It keeps whole numbers in fixed bins. Their sums do not depend on the order, so every division of the work gives
+ * the same bits; sums of lengths would not. The price is the rounding: percentiles, minimum and maximum are
+ * multiples of the width, and the mean is off by less than half of it, mostly far less. Bins are centered on the
+ * multiples, so whole voxels come out exactly. */
 class LengthHistogram
 {
 public:

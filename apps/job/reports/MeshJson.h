@@ -13,7 +13,7 @@ namespace medialvoxel
 constexpr const char * MeshLimitText = "{short value}, [least?[holds?at least][!holds?less than] {short least}]"
                                        "[most?[holds?at most][!holds?more than] {short most}]";
 
-/** For a report: counts, what its elements keep of the surface, and their quality with its limits. */
+/** The mesh in a report: counts, deviations of its elements from the fine mesh, and their quality with its limits. */
 Json
 MakeMeshJson(const SheetSummary & surface);
 

@@ -54,7 +54,8 @@ public:
   void
   Commit() override;
 
-  /** All objects of a map by label, also those without a cell, with the numbers of a run with its label alone. */
+  /** All objects of a map by label, with those without a cell. The numbers equal those of a run with the label alone.
+   */
   Json
   Summarize(const itk::MedialVoxelObjectMap & map) const;
 
@@ -90,7 +91,7 @@ private:
   const Survey &                       m_Survey;
   const itk::MedialVoxelObjectRegion & m_Piece;
   unsigned int                         m_Pass{ 0 };
-  std::mutex                           m_Mutex; // of what follows
+  std::mutex                           m_Mutex; // of the members below
   SumsByObject                         m_Pending;
   std::vector<Unknown>                 m_Unknown;
   SumsByObject                         m_Total;

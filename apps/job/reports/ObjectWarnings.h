@@ -14,8 +14,8 @@ namespace medialvoxel
 struct JobOptions;
 struct JobResult;
 
-/** Adds what the counts tell of the object of a run.
- * \throw JobError Usage for a label that no voxel has, which is no empty object but a mistake */
+/** Warns of the object of a run by its counts.
+ * \throw JobError Usage for a label that no voxel has: a mistake, no empty object */
 void
 ApplyObjectRules(std::vector<Warning> & warnings, const JobOptions & options, const JobResult & result);
 

@@ -28,8 +28,8 @@ public:
   void
   AddSigned(std::int64_t number);
 
-  /** A number of any type, or all of a histogram; NumberReader takes it back by the same name, so that one function
-   * says what is saved. */
+  /** Saves a number of any type, or a histogram. NumberReader reads it under the same name, so one function lists the
+   * saved members. */
   template <typename TNumber>
   void
   Exchange(const TNumber & number)
@@ -68,7 +68,7 @@ private:
 };
 
 /** \class NumberReader
- * \brief Takes them back; throws JobError Failure when they are not what a NumberWriter made. */
+ * \brief Reads saved numbers; throws JobError Failure when no NumberWriter made them. */
 class NumberReader
 {
 public:

@@ -16,7 +16,7 @@ struct PageFile
   std::vector<std::string_view> pieces; ///< its text, one after the other
 };
 
-/** Those of the folder page, and of the viewer library when the build found it. */
+/** The files of the folder page, and of the viewer library when the build found it. */
 extern const std::vector<PageFile> PageFiles;
 
 } // end namespace medialvoxel

@@ -13,7 +13,7 @@
 namespace medialvoxel
 {
 
-/** What a page shows in its view. */
+/** The content of the view of a page. */
 struct PageSheet
 {
   const SheetSurvey * sheet{ nullptr }; ///< null: nothing
@@ -28,11 +28,10 @@ HasPageViewer();
 bool
 HasView(const PageSheet & shown, const VolumeGeometry & geometry);
 
-/** Adds what fills the view of a page, which has one: the points and the scripts, which show the view where the browser
- * has WebGL. The bytes of the points are, by z, y, x of their blocks: how much the number of the block is larger than
- * the one before; for blocks of several voxels a byte for each axis, where in the block the mean of the cells is, in
- * 256ths; the mean thickness and 2, or 0 when all cells are at rims, 1 when none is measured. Numbers are seven bits to
- * a byte, low ones first.
+/** Adds the points and the scripts of the view of a page, which shows them where the browser has WebGL. The bytes of
+ * the points are, by z, y, x of their blocks: the increase of the block number; for blocks of several voxels a byte
+ * for each axis, the mean position of the cells in the block in 256ths; the mean thickness and 2, or 0 when all
+ * cells are at rims, 1 when none is measured. Numbers are seven bits to a byte, low ones first.
  * \param unit of the lengths, for a reader */
 void
 AddPageScripts(std::string & page, const PageSheet & shown, const VolumeGeometry & geometry, const std::string & unit);

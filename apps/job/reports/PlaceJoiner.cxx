@@ -103,7 +103,7 @@ PlaceJoiner::Join(Nodes                          nodes,
   joined.reserve(numberOfRoots);
   for (std::uint32_t i = 0; i < nodes.size(); ++i)
   {
-    // Roots come first, and become the numbers of what they stand for.
+    // Roots come first, and become the numbers of their places.
     if (joinedOf[i] == i)
     {
       joinedOf[i] = static_cast<std::uint32_t>(joined.size());
@@ -179,7 +179,7 @@ PlaceJoiner::FindRoots(const Nodes & nodes, std::size_t numberOfPlaces) const
     }
     for (std::size_t row = 0; row < rowsBefore.size(); ++row)
     {
-      // What is passed comes before the neighbors of all nodes that follow.
+      // Passed nodes come before the neighbors of all later nodes.
       const std::int64_t middle = node.key + rowsBefore[row];
       std::size_t &      cursor = cursors[row];
       while (nodes[cursor].key < middle - 1)

@@ -40,7 +40,7 @@ public:
   void
   Add(const std::deque<PlaceCell> & cells, const itk::MedialVoxelBox & region);
 
-  /** Of what is kept, while a region is added. */
+  /** Bytes that are kept, while a region is added. */
   std::uint64_t
   GetOpenMemory() const
   {
@@ -63,8 +63,7 @@ public:
   Finish() const;
 
 private:
-  /** A cell that is joined: of a place that is open, or one of the cells that are new, which have the numbers behind
-   * those of the places. */
+  /** A joined cell: of an open place, or one of the new cells, whose numbers follow those of the places. */
   struct Node
   {
     std::int64_t  key;

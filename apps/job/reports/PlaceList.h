@@ -21,7 +21,7 @@ class PlaceList
 public:
   static constexpr std::size_t MostPlaces = 10000;
 
-  /** What is summed over places. */
+  /** Sums over places. */
   struct Totals
   {
     std::uint64_t number{ 0 };
@@ -51,7 +51,7 @@ public:
   void
   Save(NumberWriter & numbers) const;
 
-  /** Adds what another list has saved. \throw JobError Failure */
+  /** Merges the saved list of another process. \throw JobError Failure */
   void
   Merge(NumberReader & numbers);
 

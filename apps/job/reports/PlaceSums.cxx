@@ -10,7 +10,7 @@ namespace medialvoxel
 namespace
 {
 
-/** What another process is told. */
+/** The members that other processes get. */
 template <typename TSums, typename TNumbers>
 void
 Exchange(TSums & sums, TNumbers & numbers)

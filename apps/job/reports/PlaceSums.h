@@ -133,7 +133,7 @@ struct PlaceCell
 };
 
 /** \class PlaceSums
- * \brief What is known of connected cells. */
+ * \brief Sums over connected cells. */
 struct PlaceSums
 {
   static constexpr std::int32_t Far = std::numeric_limits<std::int32_t>::max();

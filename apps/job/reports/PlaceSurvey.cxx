@@ -266,8 +266,8 @@ PlaceSurvey::GetFootprint(const VolumeGeometry & geometry, const PlaceSettings &
   constexpr std::uint64_t bytesPerPlace = 2 * sizeof(PlaceSums) + sizeof(WallPlace) + bytesOfText;
   const std::uint64_t     bytes =
     settings.limits.size() * GetMostPlaces(geometry, settings) * bytesPerPlace + GetPlannedCellMemory(geometry);
-  // All walls of a piece are thin and there is noise; walls are thin here and there; a thin wall lies in a slice, which
-  // has many cells at once: for them is half of what is left beside the walls themselves.
+  // Three cases: all walls of a piece are thin and noisy; walls are thin here and there; a thin wall lies in a slice,
+  // which then has many cells at once. Cells get half of the memory beside the walls.
   const PieceSurplus surplus{ 8, 1, PlaceJoiner::CellSize + 2 * PlaceJoiner::OpenCellSize, 2 };
   return { bytes, bytes, PerVoxelOfTile, surplus };
 }

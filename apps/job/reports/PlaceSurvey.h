@@ -51,7 +51,7 @@ private:
 class PlaceSurvey : public TileSurvey
 {
 public:
-  /** \param areaUnit     of which areas are multiples, in squared units of the grid
+  /** \param areaUnit     areas are multiples of it, in squared units of the grid
    * \param surplus for the cells of a region, beside those of GetFootprint() */
   PlaceSurvey(const VolumeGeometry &       geometry,
               const itk::MedialVoxelGrid & grid,
@@ -103,9 +103,9 @@ public:
   GetFootprint(const VolumeGeometry & geometry, const PlaceSettings & settings);
 
 private:
-  static constexpr std::uint64_t PerVoxelOfTile = 4; ///< what thin walls find
+  static constexpr std::uint64_t PerVoxelOfTile = 4; ///< thin walls
 
-  /** What is found of a kind. */
+  /** Places of one kind. */
   struct Search
   {
     PlaceLimits           limits;

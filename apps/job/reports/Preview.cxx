@@ -76,7 +76,7 @@ DrawProjection(Canvas & canvas, const Survey & survey, const Rectangle & area)
 std::uint64_t
 GetPreviewMemory(const VolumeGeometry & geometry)
 {
-  // The picture with its copy for the writer, the largest view, and what is read for it.
+  // The picture with a copy for the writer, the largest view, and the rows read for it.
   constexpr std::uint64_t bytesPerPixel = 2 * 3;
   constexpr std::uint64_t rowsPerRead = std::uint64_t{ 1 } << Survey::BlockShiftYZ;
   const PreviewLayout     layout = ArrangePreview(geometry);

@@ -23,7 +23,7 @@ struct Rectangle
 };
 
 constexpr unsigned int TextHeight = 14;  ///< pixels of a capital letter
-constexpr unsigned int TextDepth = 4;    ///< pixels below the line, of letters such as g
+constexpr unsigned int TextDepth = 4;    ///< pixels below the line, for letters like g
 constexpr unsigned int TextAdvance = 12; ///< pixels from one character to the next
 
 /** \class Canvas

@@ -13,7 +13,7 @@ constexpr unsigned char FirstCharacter = ' ';
 constexpr unsigned char Replacement = 0x7f;
 constexpr unsigned int  GlyphsPerBand = 16;
 
-/** The characters of ASCII from the blank on, 16 beside each other; at the end, in place of a control character, what
+/** The characters of ASCII from the blank on, 16 beside each other. The last one, in place of a control character,
  * stands for all others. */
 constexpr std::array<std::string_view, 6 * GlyphHeight> Drawing{ {
   "..... ..#.. .#.#. .#.#. ..#.. ##... .##.. ..#.. ...#. .#... ..... ..... ..... ..... ..... ....#",

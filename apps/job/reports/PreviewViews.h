@@ -51,8 +51,8 @@ struct Slice
   std::vector<TValue> values;
 };
 
-/** Reads one column, in the blocks that may have labels. Asking the system for each row would take longer than copying
- * what lies between. */
+/** Reads one column, in the blocks that may have labels. A call of the system for each row would take longer than
+ * copying the rows between. */
 template <typename TValue>
 void
 ReadColumn(const VoxelOutput &    volume,

@@ -144,7 +144,7 @@ AddRun(Json & report, const JobResult & result)
   report["thread_efficiency"] = GetThreadEfficiency(result);
 }
 
-/** What each report begins with. */
+/** The head of each report. */
 Json
 BeginReport(const Json & parameters, const JobResult & result)
 {

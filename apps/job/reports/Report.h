@@ -11,9 +11,8 @@
 namespace medialvoxel
 {
 
-/** All values of a result, each with its key: the one home of what table, page and Slicer show of it. What depends on
- * the run and the machine stands at the end, after the warnings: seconds, peak_memory_bytes, bytes_read, threads,
- * divisions. */
+/** All values of a result, each with its key. Table, page and Slicer show them. Values that depend on the run and the
+ * machine stand at the end, after the warnings: seconds, peak_memory_bytes, bytes_read, threads, divisions. */
 Json
 MakeReport(const ExtractOptions & options, const JobResult & result);
 Json

@@ -37,7 +37,7 @@ struct ViewRow
   std::string  list{}; ///< pointer to it: the row is there for each member; empty: once
 };
 
-/** What views show of a report, in their order. */
+/** The lines of the views of a report, in their order. */
 const std::vector<ViewRow> &
 ListViewRows();
 

@@ -89,7 +89,7 @@ public:
   void
   Save(NumberWriter & numbers) const;
 
-  /** Adds what another one has saved. \throw JobError Failure when these are not its numbers */
+  /** Merges saved points. \throw JobError Failure when the numbers do not fit */
   void
   Merge(NumberReader & numbers);
 

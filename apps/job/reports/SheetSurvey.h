@@ -74,7 +74,7 @@ private:
   CellSample  m_Sample;
   SheetPoints m_Pending;
   SheetPoints m_Total;
-  std::mutex  m_Mutex; // of what is pending
+  std::mutex  m_Mutex; // of the pending tiles
 };
 
 } // end namespace medialvoxel

@@ -82,8 +82,8 @@ GetNumberOfBlocks(const VolumeGeometry & geometry)
 
 } // namespace
 
-/** What one tile adds. Columns run along the last axis. The columns of a word of cells are bits, the first one bit 0.
- */
+/** The sums of one tile. Columns run along the last axis. The columns of a word of cells are bits, the first one bit
+ * 0. */
 struct Survey::TileSums : public Workspace
 {
   struct ColumnWord
@@ -237,7 +237,7 @@ Survey::GetBin(const itk::MedialVoxelWall & wall) const
   return m_Total.thickness.GetCells().GetBin(static_cast<double>(wall.thickness));
 }
 
-/** What the wall at a cell counts for the sums and the slices. */
+/** Weight of the wall at a cell in the sums and the slices. */
 void
 Survey::AddWall(const itk::MedialVoxelBox &   tile,
                 const itk::MedialVoxelIndex & cell,

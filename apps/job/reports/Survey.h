@@ -21,7 +21,7 @@
 namespace medialvoxel
 {
 
-/** What a survey is to find out. */
+/** The task of a survey. */
 struct SurveySettings
 {
   bool picture{ false }; ///< which slices to show, and the projection along the last axis
@@ -42,7 +42,7 @@ class Survey : public TileSurvey
 public:
   Survey(const VolumeGeometry & geometry, const itk::MedialVoxelGrid & grid, const SurveySettings & settings);
 
-  /** What it finds in a tile of thin walls and their noise. */
+  /** Bytes of thin walls and their noise in a tile. */
   static constexpr std::uint64_t PerVoxelOfTile = 2;
 
   std::uint64_t
@@ -134,7 +134,7 @@ public:
     return m_ProjectionSize;
   }
 
-  /** Of a run: its memory and what it finds in a tile. */
+  /** Memory of a run, with the results of a tile. */
   static ProductFootprint
   GetFootprint(const VolumeGeometry & geometry, const SurveySettings & settings);
 
@@ -172,7 +172,7 @@ private:
   void
   AddToTotal(const Sums & sums);
 
-  /** What another process is told. */
+  /** The members that other processes get. */
   template <typename TSums, typename TNumbers>
   static void
   Exchange(TSums & sums, TNumbers & numbers);

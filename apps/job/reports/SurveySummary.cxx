@@ -14,7 +14,7 @@ namespace medialvoxel
 namespace
 {
 
-// What stands beside an uncertainty, so that nobody takes it for more.
+// Stands beside an uncertainty, so that nobody overrates it.
 constexpr const char * UncertaintyCovers =
   "noise of the values with its correlation, the place between the voxels (0.03 voxels), levels (1 % of the thickness)";
 constexpr const char * UncertaintyLeavesOut =

@@ -27,7 +27,7 @@ MakeBins(const LengthHistogram & histogram, double unit);
 Json
 MakeThickness(const ThicknessSums & sums, const Survey & survey);
 
-/** Uncertainty of that thickness, with what it covers; null where it is not known. */
+/** Uncertainty of that thickness, with its scope; null where it is not known. */
 Json
 MakeUncertainty(const ThicknessSums & sums);
 

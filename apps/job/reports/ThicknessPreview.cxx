@@ -95,7 +95,7 @@ DrawProjection(Canvas & canvas, const Survey & survey, const Rectangle & area, c
 std::uint64_t
 GetThicknessPreviewMemory(const VolumeGeometry & geometry)
 {
-  // Both pictures, and a third one of them with its copy for the writer; the largest view, and what is read for it.
+  // Both pictures, a third one with a copy for the writer, the largest view, and the rows read for it.
   constexpr std::uint64_t bytesPerPixel = 6 * 3;
   constexpr std::uint64_t rowsPerRead = std::uint64_t{ 1 } << Survey::BlockShiftYZ;
   const PreviewLayout     layout = ArrangePreview(geometry);

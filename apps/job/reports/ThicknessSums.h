@@ -14,8 +14,8 @@ namespace medialvoxel
 {
 
 /** \class ThicknessSums
- * \brief What is counted of measured walls: cells and areas of the sheet by thickness, and the like. Sums of whole
- * numbers do not depend on their order. */
+ * \brief Counts of measured walls: cells and areas of the sheet by thickness. Sums of whole numbers do not depend on
+ * their order. */
 class ThicknessSums
 {
 public:
@@ -78,7 +78,7 @@ public:
   double
   GetStandardErrorOfMean(unsigned int step) const;
 
-  /** What another process is told. */
+  /** The members that other processes get. */
   template <typename TSums, typename TNumbers>
   static void
   Exchange(TSums & sums, TNumbers & numbers)

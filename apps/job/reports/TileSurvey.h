@@ -23,8 +23,8 @@ public:
   virtual std::string
   Save() const = 0;
 
-  /** Adds what another one with the same arguments has found in the slices that follow. \throw JobError Failure when
-   * these are not its bytes */
+  /** Merges the saved results of another survey with the same arguments, of the slices that follow. \throw JobError
+   * Failure when the bytes do not fit */
   virtual void
   Merge(const std::string & bytes) = 0;
 };

@@ -172,7 +172,7 @@ CheckMedialCells(const ExtractOptions & options, const JobResult & result)
                       {} };
 }
 
-/** Elements that are too large for a part leave out what is narrower than they are. */
+/** Elements too large for a part lose details narrower than they are. */
 std::optional<WarningText>
 CheckElements(const ExtractOptions &, const JobResult & result)
 {
@@ -213,7 +213,7 @@ const std::vector<Rule<ExtractOptions, JobResult>> SheetRules{ { "no_medial_cell
                                                                { "coarse_elements", CheckElements },
                                                                { "poor_elements", CheckQuality } };
 
-/** What is known of the walls after an extraction. */
+/** Facts about the walls after an extraction. */
 struct WallFacts
 {
   const ExtractOptions & options;
@@ -287,8 +287,8 @@ CheckMaximumThickness(const WallFacts & facts)
   };
 }
 
-/** The volume that the medial cells account for: what one of them does on average, with its area and thickness, times
- * their number, so that cells that are not measured count as much as the others. */
+/** The volume that the medial cells account for: the mean of area times thickness, times the number of cells, so that
+ * unmeasured cells count as well. */
 double
 GetVolumeOfWalls(const WallFacts & facts)
 {

@@ -21,8 +21,8 @@ struct JobResult;
 struct PartOptions;
 struct VolumeHeader;
 
-/** What the options and the header tell before the run. The tables of Warnings.cxx and ObjectWarnings.cxx have a row
- * for each code. */
+/** Warnings of the options and the header, before the run. The tables of Warnings.cxx and ObjectWarnings.cxx have a
+ * row for each code. */
 std::vector<Warning>
 FindWarningsOfRequest(const ExtractOptions & options, const VolumeHeader & input);
 std::vector<Warning>
@@ -31,7 +31,7 @@ FindWarningsOfRequest(const DistanceOptions & options, const VolumeHeader & inpu
 std::vector<Warning>
 FindWarningsOfRequest(const PartOptions & options, const VolumeHeader & input);
 
-/** What the counts and the thickness tell after the run. */
+/** Warnings of the counts and the thickness, after the run. */
 std::vector<Warning>
 FindWarningsOfResult(const ExtractOptions & options, const JobResult & result, const Survey & survey);
 

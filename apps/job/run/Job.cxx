@@ -34,7 +34,7 @@ namespace medialvoxel
 namespace
 {
 
-// What commands check before they read anything.
+// Checks of commands before they read anything.
 
 void
 CheckFormats(const ExtractOptions & options)
@@ -73,7 +73,7 @@ RefuseLackOfThreshold(const char * what, const VolumeHeader & header)
        " reach");
 }
 
-// What they check of the volume.
+// Checks of the volume.
 
 void
 CheckInput(const ExtractOptions & options, const VolumeHeader & header)

@@ -25,16 +25,16 @@ struct JobTask
   bool                       keepsGrayValues{ false }; ///< of the voxels in its windows
 };
 
-/** What differs from one end of a job to another. */
+/** The differences between the ends of jobs. */
 struct JobEnd
 {
   InputVolume *         input{ nullptr }; ///< of the run, if this process had one
-  std::function<void()> recordCosts;      ///< fills in what the job took
+  std::function<void()> recordCosts;      ///< fills in time and memory of the job
   std::function<void()> publish;          ///< gives the outputs their names
 };
 
 /** \struct Job
- * \brief What a command does with a volume: the tasks and products that it is planned for and then runs. */
+ * \brief The work of a command on a volume: the tasks and products that it plans and then runs. */
 struct Job
 {
   /** Checks all that the options and the header tell, for ExtractOptions, DistanceOptions, or PartOptions.
@@ -59,8 +59,9 @@ struct Job
   void
   PlanProcess();
 
-  /** Begins to unpack a compressed volume, and measures what is to be known before the run. The sink must outlive the
-   * reading. \throw JobError; StoppedBySignal when the sink asks to stop */
+  /** Begins to unpack a compressed volume, and measures the values that must be known before the run. The sink must
+   * outlive the reading.
+   * \throw JobError; StoppedBySignal when the sink asks to stop */
   void
   Open(const ProgressSink & sink);
 
@@ -85,7 +86,7 @@ struct Job
   std::optional<ExtractOptions>
   GetWalls() const;
 
-  /** What it does, for a reader. */
+  /** Its name, for a reader. */
   const char *
   GetTitle() const;
 

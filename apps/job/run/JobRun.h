@@ -38,7 +38,7 @@ public:
   itk::MedialVoxelSums
   Run(const SliceRange & range, const SliceRange & nextRange = {});
 
-  /** Waits until all is written; throws what failed. */
+  /** Waits until all is written; throws the failures. */
   void
   Wait()
   {
@@ -93,7 +93,7 @@ private:
   PieceLoop                     m_Loop;
   std::vector<Engine>           m_Engines; ///< in the order of the tasks
   std::unique_ptr<LabelMapRun>  m_Objects; ///< of a label map
-  WriteBehind                   m_Writer;  // ends before what it writes
+  WriteBehind                   m_Writer;  // ends before its files
 };
 
 /** Each cell must have been decided once. \throw JobError Failure */

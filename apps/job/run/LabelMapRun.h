@@ -33,7 +33,7 @@ public:
   static std::uint64_t
   GetPlannedMemory(const LabelSelection & selection);
 
-  /** What they take beyond that when their number is known. */
+  /** Their additional memory when their number is known. */
   static std::uint64_t
   GetUnplannedMemory(const LabelSelection & selection, std::size_t numberOfObjects);
 
@@ -75,7 +75,7 @@ public:
   Summarize() const;
 
 private:
-  /** A volume, and what it gets of a piece beside labels and objects. */
+  /** A volume, and its part of a piece beside labels and objects. */
   struct Volume
   {
     VolumeRequest          request;

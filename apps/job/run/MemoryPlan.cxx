@@ -20,11 +20,11 @@ namespace
 
 constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 
-// Measured on whole runs: the process without work, and a thread beside what its engine plans for it.
+// Measured on whole runs: the process without work, and a thread beyond the plan of its engine.
 constexpr std::uint64_t ProgramMemory = 15 * MiB;
 constexpr std::uint64_t ThreadMemory = 1 * MiB;
 
-/** Beside the values, and beside what the format of the volume needs. */
+/** Beside the values and the needs of the format of the volume. */
 constexpr std::uint64_t UnpackingMemory = 3 * MiB;
 
 /** An engine pulls input in whole slices of at least this many bytes. */
@@ -46,7 +46,7 @@ constexpr std::uint64_t LargestWrittenBehind = 256 * MiB;
 /** Buffers of three volumes that are written past the page cache. */
 constexpr std::uint64_t WritingMemory = 6 * MiB;
 
-/** What does not change while a fitting plan is looked for. */
+/** The constants of the search for a fitting plan. */
 struct Request
 {
   const JobOptions &   options;
@@ -54,7 +54,7 @@ struct Request
   const Footprint &    footprint;
 };
 
-/** The slices of the file that those of a pull lie between. */
+/** The slices of the file around the slices of a pull. */
 std::uint64_t
 EstimateResampling(const VolumeHeader & header)
 {
@@ -138,7 +138,7 @@ GetSlabThicknessOfEngine(const JobPlan & plan, const Request & request)
   return std::min(thickness, plan.numberOfSlices);
 }
 
-/** Slices of a slab when there is no limit: half of what the engine chooses where results are large. */
+/** Slices of a slab when there is no limit: half of the engine's choice where results are large. */
 std::uint64_t
 GetPreferredSlabThickness(const JobPlan & plan, std::uint64_t slabOfEngine)
 {
@@ -309,7 +309,7 @@ AddChunksToKeep(JobPlan & plan, const Request & request)
   }
 }
 
-/** A part of the memory that is left is for what waits until a piece is done. */
+/** The share of the remaining memory for results that wait until a piece is done. */
 void
 AddSurplus(JobPlan & plan, const Request & request)
 {

@@ -10,10 +10,9 @@
 namespace medialvoxel
 {
 
-/** What an extraction of all objects of a label map will do, as names and values to print: objects, passes, how it
- * reads, memory. Reads all voxels once, and unpacks none to memory.
- * \throw JobError CorruptInput for values that are not those of a label map; Usage when all are 0; Refused when there
- * is not enough memory */
+/** The plan of an extraction of all objects of a label map, as names and values to print: objects, passes, reads,
+ * memory. Reads all voxels once, and unpacks none to memory.
+ * \throw JobError CorruptInput when the values are no label map; Usage when all are 0; Refused when memory is short */
 TextTable
 DescribeObjects(const JobOptions & options, const VolumeHeader & header, const ReadObserver & observer);
 

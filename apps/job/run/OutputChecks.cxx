@@ -85,8 +85,8 @@ GetFolderFormat(const OutputRequest & output)
   return format && format->IsFolder() ? format : nullptr;
 }
 
-/** The format of a folder that is to be replaced and has the input in it, or of one that is the input and has the
- * output in it; null without such a folder. */
+/** The format of a folder that will be replaced and holds the input, or that is the input and holds the output; null
+ * without one. */
 const VolumeFormat *
 FindSharedFolder(const OutputRequest & output, const VolumeHeader & input)
 {

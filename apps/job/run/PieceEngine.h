@@ -25,7 +25,7 @@
 namespace medialvoxel
 {
 
-/** What is done at once of a piece. */
+/** The slices and rows of a piece that are done at once. */
 struct PieceRange
 {
   SliceRange              slices;
@@ -42,7 +42,7 @@ struct PieceResults
     const void *  voxels;
   };
 
-  std::vector<Part>    parts; ///< without those that need not be written
+  std::vector<Part>    parts; ///< without blocks that need not be written
   itk::MedialVoxelSums sums;  ///< of this piece
 };
 
@@ -56,7 +56,7 @@ MakeEngineSettings(const VolumeHeader & header, const itk::MedialVoxelEngineTask
 /** \class PieceEngine
  * \brief The engine of the library with one task on an opened volume, run for one range of slices after the other.
  *
- * Results and sums are those of the filters of the library in a pipeline. */
+ * Results and sums equal those of the filters of the library in a pipeline. */
 class PieceEngine : private itk::MedialVoxelEngineClient
 {
 public:
@@ -68,7 +68,7 @@ public:
               const itk::MedialVoxelEngineTask & task,
               const PieceObserver &              observer);
 
-  /** What it computes, in one word. */
+  /** Its result, in one word. */
   const char *
   GetName() const;
 
@@ -101,7 +101,7 @@ public:
     m_Taker = std::move(taker);
   }
 
-  /** Writes what a volume wants of a tile to memory with a place for each of its voxels. */
+  /** Writes the result of a tile to memory that has a place for each voxel of the volume. */
   void
   WriteTile(const itk::MedialVoxelTileResult & tile,
             const VolumeRequest &              request,
@@ -111,7 +111,7 @@ public:
   itk::MedialVoxelBox
   GetRegion(const PieceRange & range) const;
 
-  /** Sets what windows and threads may take from the next run on, in bytes; 0 is without limit. */
+  /** Limits the memory of windows and threads from the next run on, in bytes; 0 is without limit. */
   void
   SetMemoryLimit(std::uint64_t bytes);
 
@@ -120,15 +120,14 @@ public:
   void
   SetGrayRange(const std::optional<itk::MedialVoxelExtraction::GrayRange> & range);
 
-  /** What comes next, if anything, is read meanwhile. The results are valid
-   * until the next run, or Release(). A piece without a cell to decide and without an object is all zero, which sparse
-   * volumes need not be told.
+  /** Reads the next piece, if any, meanwhile. The results are valid until the next run, or Release(). A piece without
+   * a cell to decide and without an object is all zero; sparse volumes may skip it.
    * \throw itk::MedialVoxelAborted when the observer stops it
-   * \throw itk::MedialVoxelMemoryShortage; what the input and the tile observers throw */
+   * \throw itk::MedialVoxelMemoryShortage; errors of the input and the tile observers */
   PieceResults
   Run(const PieceRange & range, const PieceRange & nextRange);
 
-  /** Forgets what it knows of the input, which is another one from now on. */
+  /** Forgets its knowledge of the input, which is another one from now on. */
   void
   DropWindow()
   {

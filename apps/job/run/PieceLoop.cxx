@@ -159,7 +159,7 @@ PieceLoop::RunSlices(PieceEngine & engine, const PieceRange & range, const Piece
     }
     catch (const itk::MedialVoxelSurfacePieceError &)
     {
-      // What fitted, with room for parts that have more of it.
+      // The last size that fitted, with room for parts that have more.
       this->ShortenPieces(engine, std::clamp(0.7 * m_FractionOfRange, 0.125, 0.5), "memory of the surface");
     }
     catch (const PlaceMemoryError & error)

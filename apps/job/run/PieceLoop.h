@@ -16,7 +16,7 @@ namespace medialvoxel
 {
 
 /** \class PieceLoop
- * \brief Runs the pieces of a job, has them written, tells the sink, and stops when asked. */
+ * \brief Runs and writes the pieces of a job, reports to the sink, and stops when asked. */
 class PieceLoop
 {
 public:

@@ -20,7 +20,7 @@ namespace medialvoxel
 namespace
 {
 
-/** Empty for what is gone, also when a process ends between opening and reading, which an iterator would throw. */
+/** Empty for missing files, also when a process ends between opening and reading; an iterator would throw then. */
 std::string
 ReadSmallFile(const std::filesystem::path & fileName)
 {

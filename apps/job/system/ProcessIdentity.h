@@ -10,7 +10,7 @@ namespace medialvoxel
 {
 
 /** \class ProcessIdentity
- * \brief Tells a process from all others that ever wrote to a folder, also from those of other machines. */
+ * \brief Distinguishes a process from all others that ever wrote to a folder, on any machine. */
 struct ProcessIdentity
 {
   std::string   host;           ///< 12 hexadecimal digits of a machine since it was started, and of a container on it

@@ -20,7 +20,7 @@ namespace
 
 constexpr std::uint64_t Unknown = std::numeric_limits<std::uint64_t>::max();
 
-/** The bytes of the line of a table in KiB that begins with \a name; nothing without such a line. */
+/** The bytes of the line of a table in KiB that begins with \a name; nothing when there is none. */
 std::optional<std::uint64_t>
 ReadKibibytes(const std::filesystem::path & file, const std::string & name)
 {
@@ -63,7 +63,7 @@ GetRest(const std::filesystem::path & group, const char * limitName, const char 
   return limit && usage ? *limit - std::min(*limit, *usage) : Unknown;
 }
 
-/** Least rest of a control group and those that hold it; inside a container the outer ones are not to be seen. */
+/** Smallest rest of a control group and its parents; a container hides the outer ones. */
 std::uint64_t
 GetRestOfGroups(const std::filesystem::path & top, const std::string & name, const char * limit, const char * usage)
 {

@@ -9,13 +9,13 @@
 namespace medialvoxel
 {
 
-/** Bytes that the limits of the process (ulimit -v and -d) leave it. The largest number without such limits. */
+/** Bytes that the limits of the process (ulimit -v and -d) leave it. The largest number without limits. */
 std::uint64_t
 GetRestOfLimits();
 
-/** Bytes that the process can still take without swapping: what the system has available, or less when the process
+/** Bytes that the process can still take without swapping: the system's available memory, or less when the process
  * runs in a control group (a container, a batch job) with a limit, or has limits of its own. The largest number when
- * the system does not tell.
+ * the system does not report it.
  *
  * \param root folder with proc and sys/fs/cgroup, for tests */
 std::uint64_t

@@ -34,7 +34,7 @@ Handle(int signalNumber, void (*handler)(int))
   sigaction(signalNumber, &action, nullptr);
 }
 
-/** What a handler of signals may read: no object with a constructor. */
+/** The state that a handler of signals may read: no object with a constructor. */
 struct Notice
 {
   int          status;

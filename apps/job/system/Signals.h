@@ -37,7 +37,7 @@ private:
   std::string m_Line;
 };
 
-/** What lines of abort() begin with; before any notice. */
+/** The beginning of the lines of abort(); before any notice. */
 void
 SetNameForAborts(const std::string & programName);
 

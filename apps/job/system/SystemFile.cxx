@@ -19,7 +19,7 @@ namespace medialvoxel
 namespace
 {
 
-/** What is transferred at a time: a fraction of a second, after which the work can stop. */
+/** Transferred at a time: a fraction of a second, after which the work can stop. */
 constexpr std::uint64_t BlockSize = std::uint64_t{ 1 } << 23;
 
 constexpr int Unopened = -1;

@@ -13,7 +13,7 @@
 namespace medialvoxel
 {
 
-/** What the system knows of a file or folder. */
+/** The system's data about a file or folder. */
 struct FileStatus
 {
   bool          isFile{ false }; ///< a regular one
@@ -30,7 +30,7 @@ struct FileStatus
 std::optional<FileStatus>
 GetFileStatus(const std::filesystem::path & name, bool followsLinks = true);
 
-/** What becomes of a file or folder that has the new name already. */
+/** The fate of a file or folder that has the new name already. */
 enum class TakenName
 {
   Stays,    ///< the failure is EEXIST
@@ -107,8 +107,8 @@ public:
     return m_Descriptor >= 0;
   }
 
-  /** The failure tells of bytes that seemed to be written and were lost, as file systems of a network may tell only
-   * now. */
+  /** The failure concerns bytes that seemed to be written and were lost; file systems of a network may report it
+   * late. */
   bool
   Close();
 

@@ -16,7 +16,7 @@ namespace medialvoxel
 namespace
 {
 
-/** Of such a volume, the page cache would keep what is not needed soon, in place of what is. */
+/** A larger volume would fill the page cache, and push out data that is needed soon. */
 constexpr std::uint64_t LargeVolumeSize = std::uint64_t{ 1 } << 29;
 
 } // namespace

@@ -104,7 +104,7 @@ private:
   std::filesystem::path
   GetSharedName(const std::string & suffix) const;
 
-  /** Sets what is to be in the files; returns the bytes of the one with the voxels. */
+  /** Sets the final content of the files; returns the bytes of the file with the voxels. */
   std::uint64_t
   Describe(const VolumeGeometry & geometry, const VoxelLayout & layout);
 

@@ -77,7 +77,7 @@ struct PackedVolume::Deflater
   }
 
   OutputFile &       file;
-  std::uint64_t      offset; ///< in the file, of what comes next
+  std::uint64_t      offset; ///< in the file, of the next byte
   z_stream           stream{};
   std::vector<char>  block;
   std::vector<Bytef> packed;
@@ -149,7 +149,7 @@ struct PackedVolume::Inflater
   }
 
   const OutputFile & file;
-  std::uint64_t      offset;        ///< in the file, of what comes next
+  std::uint64_t      offset;        ///< in the file, of the next byte
   std::uint64_t      position{ 0 }; ///< in the stream
   z_stream           stream{};
   std::vector<Bytef> packed;

@@ -16,8 +16,8 @@ namespace medialvoxel
 /** \class PackedVolume
  * \brief A volume in one file that is packed as one stream, while it is written from its first slice to its last.
  *
- * The bytes of the file depend on those of the voxels alone: the stream takes them in blocks of one size. Read()
- * unpacks from the begin, or goes on where it ended. */
+ * The bytes of the file depend on the voxels alone: the stream takes them in blocks of one size. Read() unpacks from
+ * the begin, or goes on where it ended. */
 class PackedVolume : public VoxelOutput
 {
 public:
@@ -28,7 +28,7 @@ public:
   void
   Create(const VolumeGeometry & geometry, const VoxelLayout & layout) override;
 
-  /** What lies between the end of the last call and the first voxel becomes zero. */
+  /** Voxels between the end of the last call and the first voxel become zero. */
   void
   Write(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const void * data) override;
 

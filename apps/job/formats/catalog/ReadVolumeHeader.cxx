@@ -126,7 +126,7 @@ ReplaceSpacing(VolumeHeader & header, const std::vector<double> & spacing)
   header.warnings.erase(std::remove_if(header.warnings.begin(), header.warnings.end(), isKnown), header.warnings.end());
 }
 
-/** What was typed wrong is no fault of the file. */
+/** A typing error is no fault of the file. */
 void
 CheckTypedSpacing(const VolumeHeader & header, const char * option)
 {

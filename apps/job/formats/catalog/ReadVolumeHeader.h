@@ -14,16 +14,16 @@
 namespace medialvoxel
 {
 
-/** Reads and checks the header of a volume: of one of the formats of VolumeFormats.cxx (TIFF when built with
- * libtiff), a folder or pattern of images that are slices or, with a description, a headerless file.
+/** Reads and checks the header of a volume: in a format of VolumeFormats.cxx (TIFF when built with libtiff), a folder
+ * or pattern of images that are slices or, with a description, a headerless file.
  *
- * When it returns, the size is that of a 2-D or 3-D scalar volume, its voxels are in the data file (of compressed
- * ones: may be), and its place in space is within itk::MedialVoxelGridLimits.
- * \param spacing along each axis, in place of that of the file; empty: that of the file
- * \param level of an image that is there in several sizes, 0 the largest
- * \param slices that are chosen among those of a folder or pattern
- * \throw JobError: Usage for an unknown extension, another number of spacings than of axes or a level that is not
- * there, Failure for a file that cannot be read, CorruptInput for all else. */
+ * When it returns, the volume is 2-D or 3-D and scalar, its voxels are in the data file (of compressed ones: may
+ * be), and its place in space is within itk::MedialVoxelGridLimits.
+ * \param spacing along each axis, in place of the spacing of the file; empty: from the file
+ * \param level of an image of several sizes, 0 the largest
+ * \param slices to choose from a folder or pattern
+ * \throw JobError: Usage for an unknown extension, another number of spacings than of axes or a missing level,
+ * Failure for a file that cannot be read, CorruptInput for all else. */
 VolumeHeader
 ReadVolumeHeader(const std::filesystem::path &         fileName,
                  const std::optional<RawDescription> & raw,
@@ -40,7 +40,7 @@ ReadInputHeader(const JobOptions & options);
 VolumeHeader
 ReadSheetInputHeader(const JobOptions & options);
 
-/** Of uncompressed voxels of formats that allow it: bytes that nothing tells of; read by no one. */
+/** Unexplained bytes behind the voxels of an uncompressed volume, in formats that allow them; nobody reads them. */
 std::uint64_t
 GetTrailingSize(const VolumeHeader & header);
 

@@ -23,7 +23,7 @@ ListSegmentExtensions();
 SegmentTable
 ReadSegments(const std::filesystem::path & fileName);
 
-/** Those of the volume itself; none where its format has no names. \throw as ReadSegments() */
+/** The segments of the volume itself; none where its format has no names. \throw as ReadSegments() */
 SegmentTable
 ReadSegmentsOfVolume(const VolumeHeader & header);
 

@@ -17,14 +17,14 @@ namespace medialvoxel
 namespace
 {
 
-// What CMake has built. The rest of the program does not know.
+// The formats that CMake has built. The rest of the program does not know.
 #ifdef MEDIALVOXEL_FORMAT_SLICES
 constexpr const char * TiffRemedy = "libtiff 4.5 or later";
 #else
 constexpr const char * TiffRemedy = "MedialVoxel_FORMAT_SLICES=ON and libtiff 4.5 or later";
 #endif
 
-/** What is left of a format that the program was built without: its name, and what to build it with. */
+/** The remains of a format that the program was built without: its name, and the option of the build that adds it. */
 [[maybe_unused]] VolumeFormat
 LeaveOut(const char * name, const std::vector<VolumeExtension> & extensions, const char * remedy)
 {
@@ -120,7 +120,7 @@ FindExtension(const VolumeFormat & format, const std::filesystem::path & fileNam
   return found == format.extensions.end() ? nullptr : &*found;
 }
 
-/** Fails with what the name lacks; \a remedy is what it could be. */
+/** Fails with a message about the name; \a remedy lists the alternatives. */
 [[noreturn]] void
 RefuseExtension(const std::filesystem::path & fileName, const std::string & remedy)
 {
@@ -139,7 +139,7 @@ JoinExtensions(const std::vector<std::string> & extensions, const char * separat
   return Join(extensions, separator, [](const std::string & extension) { return extension; });
 }
 
-/** Extensions of formats that the program has, among them those for which isWanted(format) is true. */
+/** Extensions of the built formats for which isWanted(format) is true. */
 template <typename TIsWanted>
 std::vector<std::string>
 ListExtensions(TIsWanted && isWanted)
@@ -168,7 +168,7 @@ FindNamedFormat(const std::filesystem::path & fileName)
   return found == formats.end() ? nullptr : &*found;
 }
 
-/** What FindInputFormat() finds, built or not. */
+/** The result of FindInputFormat(), built or not. */
 const VolumeFormat &
 FindReadFormat(const std::filesystem::path & fileName)
 {
@@ -191,7 +191,7 @@ FindReadFormat(const std::filesystem::path & fileName)
   }
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
   {
-    OpenRegularFile(fileName); // tells what it is
+    OpenRegularFile(fileName); // its error names the kind of the file
   }
   if (named)
   {

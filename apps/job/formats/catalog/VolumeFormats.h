@@ -47,7 +47,7 @@ IsPackedVolume(const std::filesystem::path & fileName, bool compress);
 bool
 IsPackedInAnyWay(const std::filesystem::path & fileName, const JobOptions & options);
 
-/** Refuses what a format does not have. \throw JobError Usage */
+/** Refuses options that a format does not have. \throw JobError Usage */
 void
 CheckOutputFormat(const std::filesystem::path & fileName,
                   const VolumeGeometry &        geometry,
@@ -69,7 +69,7 @@ GetOutputSize(const std::filesystem::path & fileName, const VolumeGeometry & geo
 std::uint64_t
 GetSlicesOfLayer(const std::filesystem::path & fileName, const VolumeGeometry & geometry, const VoxelLayout & layout);
 
-/** Rows of such slices that VoxelOutput::WriteRows() takes together; 0 when slices are written as a whole. */
+/** Rows of these slices that VoxelOutput::WriteRows() takes together; 0 when slices are written as a whole. */
 std::uint64_t
 GetRowsOfLayer(const std::filesystem::path & fileName, const VolumeGeometry & geometry, const VoxelLayout & layout);
 

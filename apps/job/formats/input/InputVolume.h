@@ -18,7 +18,7 @@ namespace medialvoxel
 {
 
 /** \class InputVolume
- * \brief An opened volume: what a run reads, and what reading it took. */
+ * \brief An opened volume: the values for a run, and the time and bytes of reading. */
 class InputVolume
 {
 public:
@@ -28,8 +28,8 @@ public:
   InputVolume(const VolumeHeader & header, const JobOptions & options, std::uint64_t bytesToKeep, Smoothing smoothing);
   virtual ~InputVolume() = default;
 
-  /** Does what must be done once before the run reads.
-   * \throw JobError CorruptInput, itk::ExceptionObject; what the observer throws */
+  /** Prepares the input once, before the run reads.
+   * \throw JobError CorruptInput, itk::ExceptionObject; errors of the observer */
   virtual void
   Prepare(const ReadObserver & observer)
   {

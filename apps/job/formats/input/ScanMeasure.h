@@ -8,9 +8,9 @@
 namespace medialvoxel
 {
 
-/** Finds out from a prepared volume how all walls of a run are measured: on gray values where a threshold cuts them, by
+/** Chooses from a prepared volume how all walls of a run are measured: on gray values where a threshold cuts them, by
  * fits where walls can be fitted, else where the values cross the threshold; masks and label maps on the object.
- * \throw JobError Refused when an uncertainty is wanted but cannot be stated; what the observer throws, and
+ * \throw JobError Refused when an uncertainty is wanted but cannot be stated; errors of the observer and of
  * InputVolume::Fill() */
 WallMeasure
 FindWallMeasure(InputVolume &          input,

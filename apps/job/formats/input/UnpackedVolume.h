@@ -23,7 +23,7 @@ namespace medialvoxel
 /** \class UnpackedVolume
  * \brief Unpacks a volume once, in a thread of its own, for readers of any part.
  *
- * Who reads what is not unpacked yet waits for it. Zeros take neither memory nor disk. */
+ * Readers wait for voxels that are not unpacked yet. Zeros take neither memory nor disk. */
 class UnpackedVolume : public VoxelSource
 {
 public:
@@ -76,7 +76,7 @@ private:
   std::mutex                     m_Mutex;
   std::condition_variable        m_HasMore;
   std::exception_ptr             m_Error;
-  std::thread                    m_Thread; ///< ends before what it uses
+  std::thread                    m_Thread; ///< ends before the members that it uses
 };
 
 /** The same volume, and compressed, whose numbers are being unpacked; others stay as they are. Arguments as of

@@ -46,7 +46,7 @@ public:
     {
       for (std::size_t part = 0; part < Parts; ++part)
       {
-        // Numbers of exponent 0 have no leading bit, and are as small as those of exponent 1.
+        // Numbers of exponent 0 have no leading bit, and are as small as numbers of exponent 1.
         const int power = least + static_cast<int>(std::max<std::size_t>(exponent, 1) + part * PartBits) - 1;
         sum += std::ldexp(static_cast<long double>(m_Sums[part][exponent]), power);
       }
@@ -144,7 +144,7 @@ private:
 };
 
 /** \class ValueBins
- * \brief Equal bins from the least to the largest value. Those of whole numbers have a whole number as their width. */
+ * \brief Equal bins from the least to the largest value. The width of bins of whole numbers is a whole number. */
 template <typename TValue>
 class ValueBins
 {
@@ -276,7 +276,7 @@ private:
     }
   }
 
-  /** Of real numbers: the bin behind all others for those that are not finite. */
+  /** The last bin, of real numbers that are not finite. */
   void
   FindBins(const TValue * values, std::size_t number, std::int32_t * bins) const
   {

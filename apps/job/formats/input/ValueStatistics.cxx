@@ -102,8 +102,8 @@ IsPadding(const std::vector<std::uint64_t> & counts, std::size_t bin, std::size_
   return gap >= range && counts[bin] >= all / share && FindOtsuBin(others).explained >= leastExplained;
 }
 
-/** The bin of values that are no measurement: scanners fill what is outside of their field of view with one negative
- * value far below all others, or one far above. Without it two classes are left, or it may be a background. */
+/** The bin of values that are no measurement: scanners fill the outside of their field of view with one value far
+ * below all others, or far above. Without it two classes are left, or it may be a background. */
 std::optional<std::size_t>
 FindPadding(const std::vector<std::uint64_t> & counts, std::size_t zero)
 {
@@ -135,7 +135,7 @@ FindPadding(const std::vector<std::uint64_t> & counts, std::size_t zero)
            : std::nullopt;
 }
 
-/** Takes what is no measurement out of the counts, and tells of it. */
+/** Removes the padding from the counts, and reports it. */
 template <typename TValue>
 void
 RemovePadding(const ValueBins<TValue> &    bins,
@@ -216,7 +216,7 @@ Summarize(const ValueRange<TValue> & range, const ValueBins<TValue> & bins, cons
   return statistics;
 }
 
-/** \param forEach calls what it gets with all values, and an observer meanwhile */
+/** \param forEach passes all values to its argument, and calls an observer meanwhile */
 template <typename TValue, typename TForEach>
 ValueStatistics
 Measure(const Paddings & paddings, const ReadObserver & observer, TForEach && forEach)

@@ -21,7 +21,7 @@ namespace medialvoxel
 /** Most bins of a histogram of values. Whole numbers whose range fits have a bin each. */
 constexpr std::uint64_t MostValueBins = std::uint64_t{ 1 } << 16;
 
-/** What the values of a volume are like, without those that are not a number or infinite. */
+/** Statistics of the values of a volume, without NaN and infinite ones. */
 struct ValueStatistics
 {
   static constexpr std::array<unsigned int, 7> Percents{ 1, 5, 25, 50, 75, 95, 99 };
@@ -36,13 +36,13 @@ struct ValueStatistics
   /** The least value that so many percent of the values, without the padding, do not exceed. */
   std::array<double, Percents.size()> percentiles{};
 
-  /** From and to: what the file tells to be no measurement, or one value far away from all others, which scanners put
-   * outside of their field of view. */
+  /** From and to: values that the file declares to be no measurement, or one value far away from all others, which
+   * scanners put outside of their field of view. */
   std::optional<std::array<double, 2>> padding;
   std::uint64_t                        paddingValues{ 0 };
 
-  /** Of Otsu, without the padding: values from it up are one class, those below the other one, and the variance between
-   * them is largest. Of several such thresholds the lowest one. Nothing when all values are the same. */
+  /** Otsu's threshold, without the padding: it separates two classes, itself in the upper one, with the largest
+   * variance between them. The lowest one of several. Nothing when all values are the same. */
   std::optional<double> otsu;
 };
 
@@ -52,10 +52,10 @@ using Paddings = std::set<std::array<double, 2>>;
 /** Hears how much of a volume was read, from 0 to 1; throws to stop. */
 using ReadObserver = std::function<void(double)>;
 
-/** Reads all values once, or twice: for types of more than 16 bits the first time is for the range of the values, which
+/** Reads all values once. Types of more than 16 bits are read twice: first for the range of the values, which
  * MostValueBins equal bins then share. Depends neither on memory nor on threads.
- * \param paddings that the file tells of
- * \param observer is called before each part that is read */
+ * \param paddings declared by the file
+ * \param observer is called before each span that is read */
 ValueStatistics
 MeasureValues(itk::MedialVoxelValueSource & source,
               const itk::MedialVoxelBox &   image,

@@ -140,7 +140,7 @@ VolumeSource::ForEach(const Boxes & boxes, unsigned int mostThreads, const Work 
 std::uint64_t
 VolumeSource::GetNumberOfBytesRead() const
 {
-  // All readers share what is unpacked, and its bytes.
+  // All readers share the unpacked volume, and its bytes.
   if (const auto & unpacked = m_Header.GetStored().unpacked)
   {
     return unpacked->GetNumberOfBytesRead();

@@ -64,14 +64,14 @@ public:
 private:
   class Lease;
 
-  /** Calls function() and adds what it takes to the seconds of reading. */
+  /** Calls function() and adds its time to the seconds of reading. */
   template <typename TFunction>
   void
   MeasureReading(TFunction && function);
 
   VolumeHeader                              m_Header;
   std::atomic<double>                       m_ReadSeconds{ 0.0 };
-  std::mutex                                m_Mutex; // of what follows
+  std::mutex                                m_Mutex; // of the members below
   std::vector<std::unique_ptr<ValueReader>> m_Readers;
   std::vector<ValueReader *>                m_FreeReaders;
 };

@@ -31,7 +31,7 @@ ValueStatistics
 MeasureValues(const VolumeHeader & header, const ReadObserver & observer)
 {
   return WithPipelineErrors([&] {
-    // Resampling is for the object; the values are those of the file.
+    // Resampling is for the object; the statistics are of the stored values.
     const VolumeHeader & stored = header.GetStored();
     VolumeSource         source(stored, Interpolation::Nearest, 0);
     return MeasureValues(source, stored.geometry.GetVoxelBox(), ListPaddings(stored), observer);

@@ -10,7 +10,7 @@
 namespace medialvoxel
 {
 
-/** Of the values that are stored. \throw JobError as reading; what the observer throws */
+/** Statistics of the stored values. \throw JobError as reading; errors of the observer */
 ValueStatistics
 MeasureValues(const VolumeHeader & header, const ReadObserver & observer);
 

@@ -19,7 +19,7 @@ constexpr std::size_t   MostRows = 65535;
 constexpr std::size_t   NoColumn = static_cast<std::size_t>(-1);
 
 /** \class TableLines
- * \brief The lines of a table, and what is wrong with one of them. */
+ * \brief The lines of a table, and the error of a line. */
 class TableLines
 {
 public:
@@ -197,7 +197,7 @@ private:
     return found == m_Names.end() ? NoColumn : static_cast<std::size_t>(found - m_Names.begin());
   }
 
-  /** Empty without such a column. */
+  /** Empty without this column. */
   std::string
   GetCell(std::size_t column) const
   {

@@ -78,7 +78,7 @@ ReadAxes(const std::filesystem::path & fileName, const HeaderFields & fields)
   return static_cast<size_t>(*axes);
 }
 
-/** Without those of length 1 behind the third axis. */
+/** Without axes of length 1 behind the third axis. */
 std::vector<std::uint64_t>
 ReadSize(const std::filesystem::path & fileName, const HeaderFields & fields, const size_t axes)
 {

@@ -18,7 +18,7 @@ namespace medialvoxel
 namespace NiftiFields
 {
 
-/** What is not a field of the same kind in both versions. */
+/** Fields whose kind differs between both versions. */
 struct Version
 {
   std::int32_t     headerSize; ///< also the value of the first field

@@ -366,7 +366,7 @@ ReadGeometry(VolumeHeader & header, const NiftiNumbers & fields)
   for (std::size_t axis = 0; axis < dimension; ++axis)
   {
     const double length = GetLength(*placement, axis);
-    // The numbers of pixdim are exact where those of the form, which are rounded to 32 bits, are the same.
+    // pixdim is exact where the numbers of the form, rounded to 32 bits, are the same.
     if (!(std::abs(unit * length - geometry.spacing[axis]) <= 1e-5 * geometry.spacing[axis]))
     {
       geometry.spacing[axis] = unit * length;

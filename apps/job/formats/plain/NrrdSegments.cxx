@@ -17,7 +17,7 @@ namespace medialvoxel
 namespace
 {
 
-// The names are those of vtkMRMLSegmentationStorageNode.
+// Names of vtkMRMLSegmentationStorageNode.
 constexpr const char * RepresentationKey = "Segmentation_MasterRepresentation";
 constexpr const char * RepresentationsKey = "Segmentation_ContainedRepresentationNames";
 constexpr const char * OffsetKey = "Segmentation_ReferenceImageExtentOffset";

@@ -27,7 +27,7 @@ constexpr std::size_t MostNrrdSegments = 8192;
 SegmentTable
 ReadNrrdSegments(const std::filesystem::path & fileName);
 
-/** What Slicer wants to know of a volume of these segments; nothing for none. \param size of the volume */
+/** Slicer's fields for a volume of these segments; nothing for none. \param size of the volume */
 NrrdKeys
 MakeNrrdSegments(const SegmentTable & table, const std::vector<std::uint64_t> & size);
 
@@ -40,7 +40,7 @@ HasNrrdSegments(const NrrdKeys & keys);
 std::string
 MakeSegmentText(const std::filesystem::path & fileName, const std::string & what, const std::string & text);
 
-/** \throw HeaderError Corrupt for what is no label of a segment */
+/** \throw HeaderError Corrupt when it is no label of a segment */
 std::int64_t
 ParseSegmentLabel(const std::filesystem::path & fileName, const std::string & what, const std::string & text);
 

@@ -12,7 +12,7 @@
 namespace medialvoxel
 {
 
-/** What to name in place of a header beside its voxels, to have these packed. */
+/** The file to name for packed voxels, in place of a header beside them. */
 constexpr const char * DetachedRemedy = "its voxels are in a file of their own; .mha and .nrrd can be packed";
 
 /** Header of a file with a volume of voxels in the byte order of this machine. Numbers read back exactly.

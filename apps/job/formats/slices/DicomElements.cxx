@@ -63,7 +63,7 @@ DicomElements::ReadText(std::uint64_t count)
 void
 DicomElements::MoveTo(std::uint64_t position)
 {
-  // A seek drops what was read ahead, so that short ways are read through.
+  // A seek drops the read-ahead, so short distances are read through.
   constexpr std::uint64_t shortWay = 4096;
   if (m_Inflated)
   {

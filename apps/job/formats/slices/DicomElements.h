@@ -83,11 +83,11 @@ protected:
   Element
   ReadElement();
 
-  /** The bytes of an element are within what is around it. */
+  /** The bytes of an element are within its parent. */
   void
   RequireRoom(std::uint64_t length, std::uint64_t end) const;
 
-  /** What follows is packed; places count unpacked bytes from now on. */
+  /** The rest is packed; positions count unpacked bytes from now on. */
   void
   BeginDeflated();
 

@@ -98,7 +98,7 @@ ParseNumber(const char * name, const std::string & text, double otherwise)
 }
 
 /** \class FrameReader
- * \brief What a file says of its frames. */
+ * \brief The frames of a file. */
 class FrameReader
 {
 public:
@@ -171,7 +171,7 @@ public:
     return frame;
   }
 
-  /** From and to, of values that the file tells to be no measurement; nothing where it tells of none. */
+  /** From and to, of values that the file declares to be no measurement; nothing without them. */
   std::optional<std::array<double, 2>>
   GetPadding(const DicomFrame & frame) const
   {
@@ -263,7 +263,7 @@ private:
            (time.empty() ? "" : " at time " + time) + (stack.empty() ? "" : " of stack " + stack);
   }
 
-  /** A frame has a fragment, those that the table of marks tells, or all of the file. */
+  /** A frame has one fragment, the fragments of the table of marks, or all of the file. */
   std::pair<std::size_t, std::size_t>
   FindFragments(std::uint64_t frame) const
   {
@@ -347,7 +347,7 @@ ListDicomFrames(const std::filesystem::path & fileName, DicomStructure structure
       slice.fileName = fileName;
       slice.padding = reader.GetPadding(frame);
       slice.frame = std::make_shared<const DicomFrame>(std::move(frame));
-      slice.decoderMemory = 2 * bytes + 2 * MiB; // of the file, in GDCM too, and of what unpacks
+      slice.decoderMemory = 2 * bytes + 2 * MiB; // of the file, in GDCM too, and of the decoder
       slices.push_back(std::move(slice));
     }
   }

@@ -80,7 +80,7 @@ GetModule(const std::filesystem::path & fileName)
   return readFrame;
 }
 
-/** What GDCM takes for granted. */
+/** Preconditions of GDCM. */
 void
 CheckVoxels(const std::filesystem::path & fileName, const DicomStructure & structure)
 {
@@ -154,7 +154,7 @@ DescribeFrame(const DicomFrame & frame)
 void
 CallReadFrame(const SliceHeader & slice, const MedialVoxelDicomFrame & frame, std::uint32_t & pixelType, void * voxels)
 {
-  // GDCM checks some of what it decodes by assertions.
+  // GDCM checks some of its input by assertions.
   const AbortNotice notice(static_cast<int>(ExitStatus::CorruptInput),
                            slice.fileName.string() + " is damaged: GDCM cannot decode it");
   if (const char * const problem = GetModule(slice.fileName)(&frame, &pixelType, voxels))

@@ -136,7 +136,7 @@ private:
   void
   WalkElements(std::uint64_t end, unsigned int depth)
   {
-    // What follows the image is not looked at: padding, or what a transfer left there.
+    // Bytes behind the image are ignored: padding, or leftovers of a transfer.
     while (m_Position < end && (depth > 0 || m_Structure.endOfVoxels == 0))
     {
       const Element element = this->ReadElement();
@@ -195,7 +195,7 @@ private:
            (isUnknown && known != SequencesOfFrames.end());
   }
 
-  /** Where texts of what is walked through are kept: of the file, or of frames; null: nowhere. */
+  /** Where texts of elements are kept: of the file, or of frames; null: nowhere. */
   DicomTexts *
   FindTexts()
   {
@@ -397,7 +397,7 @@ private:
   };
 
   std::set<std::uint32_t> m_Taken; ///< tags of numbers
-  std::vector<Step>       m_Path;  ///< from the file to what is read
+  std::vector<Step>       m_Path;  ///< from the file to the current element
   DicomStructure          m_Structure;
 };
 

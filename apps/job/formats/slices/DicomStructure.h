@@ -12,7 +12,7 @@
 namespace medialvoxel
 {
 
-/** What elements have that tell of place, scale and series, by their tags. */
+/** Values of elements about place, scale and series, by their tags. */
 using DicomTexts = std::map<std::uint32_t, std::string>;
 
 /** More are not believed. */
@@ -26,7 +26,7 @@ struct DicomFragment
   std::uint64_t length;
 };
 
-/** What decides how much memory the image of a DICOM file takes. */
+/** Decides how much memory the image of a DICOM file takes. */
 struct DicomStructure
 {
   std::uint64_t frames{ 1 };
@@ -40,10 +40,10 @@ struct DicomStructure
   std::uint64_t dataSize{ 0 };   ///< in the file, packed or not; 0: the file has no image
   bool          isPacked{ false };
   std::uint64_t beginOfVoxels{ 0 };
-  std::uint64_t endOfVoxels{ 0 }; ///< where what follows the image begins
+  std::uint64_t endOfVoxels{ 0 }; ///< where the bytes behind the image begin
 
   std::string   syntax;           ///< of the transfer
-  std::uint64_t beginOfData{ 0 }; ///< behind what is always written in the same way
+  std::uint64_t beginOfData{ 0 }; ///< behind the part that is always written in the same way
   bool          isBigEndian{ false };
   bool          isDeflated{ false }; ///< all places count unpacked bytes from the begin of the data on
 
@@ -60,8 +60,7 @@ bool
 IsDicomFile(const std::filesystem::path & fileName);
 
 /** Walks through all elements of a DICOM file, items of sequences included. \throw HeaderError when one does not fit
- * into what is around it, or the transfer syntax is not read
- */
+ * into its parent, or the transfer syntax is not read */
 DicomStructure
 CheckDicomStructure(const std::filesystem::path & fileName);
 

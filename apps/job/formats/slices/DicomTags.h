@@ -41,7 +41,7 @@ constexpr std::array<std::uint32_t, 20> Texts{
   PixelPaddingLimit,      RescaleIntercept,     RescaleSlope,     GridFrameOffsets,  DoseGridScaling
 };
 
-/** Those that are whole numbers, which are kept as texts. */
+/** Whole numbers, which are kept as texts. */
 constexpr std::array<std::uint32_t, 4> Numbers{ FrameTemporalPosition,
                                                 FrameAcquisitionNumber,
                                                 PixelPadding,

@@ -196,7 +196,7 @@ DropRounding(double distance)
   return std::round(distance * scale) / scale;
 }
 
-/** Slices that are shifted against each other, as those of a tilted gantry, are no box. */
+/** Slices that are shifted against each other, as by a tilted gantry, are no box. */
 void
 CheckLine(const std::filesystem::path & input, const Slices & slices, const Vector & normal)
 {

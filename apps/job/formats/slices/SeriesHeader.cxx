@@ -143,7 +143,7 @@ CheckAlike(const std::filesystem::path & input, const Slices & slices)
   }
 }
 
-/** Those from the first to the last one of the range, counted from 0. */
+/** The slices from the first to the last one of the range, counted from 0. */
 Slices
 TakeRange(const std::filesystem::path & input, const Slices & slices, const std::vector<std::uint64_t> & range)
 {
@@ -161,7 +161,7 @@ TakeRange(const std::filesystem::path & input, const Slices & slices, const std:
   return { begin + static_cast<std::ptrdiff_t>(range[0]), begin + static_cast<std::ptrdiff_t>(range[1]) + 1 };
 }
 
-/** The smallest type that has all values of both; reals of 64 bits have them for what DICOM stores. */
+/** The smallest type that holds all values of both; reals of 64 bits hold all values of DICOM. */
 PixelType
 GetCommonType(PixelType a, PixelType b)
 {
@@ -199,7 +199,7 @@ UnifyTypes(Slices & slices)
   }
   for (SliceHeader & slice : slices)
   {
-    // What is converted is in memory twice.
+    // Converted slices are in memory twice.
     slice.decoderMemory += slice.pixelType == type ? 0 : slice.GetDataSize();
     slice.pixelType = type;
   }

@@ -25,7 +25,7 @@ GetCapacity(unsigned int threads)
 }
 
 /** \class SeriesImageIO
- * \brief What MakeSeriesImageIO() makes. */
+ * \brief The reader of MakeSeriesImageIO(). */
 class SeriesImageIO : public itk::StreamingRawImageIO
 {
 public:
@@ -88,7 +88,7 @@ private:
     });
   }
 
-  /** \return behind what was written */
+  /** \return the end of the written values */
   char *
   CopyRegion(const std::vector<char> & slice, const itk::ImageIORegion & region, char * destination) const
   {

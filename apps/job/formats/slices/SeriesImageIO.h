@@ -13,7 +13,7 @@ namespace medialvoxel
 {
 
 /** Makes a reader of any region of a series that ReadVolumeHeader() has checked: decodes the slices that it crosses,
- * those that other readers of the volume decoded shortly before excepted. Its errors are JobError. */
+ * unless other readers of the volume decoded them shortly before. Its errors are JobError. */
 itk::StreamingRawImageIO::Pointer
 MakeSeriesImageIO(const VolumeHeader & header);
 

@@ -22,9 +22,9 @@ class SliceCache
 public:
   using Slice = std::shared_ptr<const std::vector<char>>;
 
-  /** A slice by its number. The thread that asks first calls decode(); others that ask meanwhile wait for it.
-   * \param capacity slices that are kept, those in decoding included; 1 or more
-   * \throw what decode() throws */
+  /** A slice by its number. The first thread calls decode(); others wait meanwhile.
+   * \param capacity slices that are kept, with slices in decoding; 1 or more
+   * \throw the errors of decode() */
   Slice
   Get(std::uint64_t number, std::size_t capacity, const std::function<Slice()> & decode);
 
@@ -35,7 +35,7 @@ private:
     std::uint64_t lastUse{ 0 };
   };
 
-  /** Drops those whose last use is the longest ago, until there is room for one. */
+  /** Drops the least recently used slices, until there is room for one. */
   void
   MakeRoom(std::size_t capacity);
 

@@ -17,7 +17,7 @@ namespace medialvoxel
 const SliceFormat *
 FindSliceFormat(const std::filesystem::path & fileName);
 
-/** "DICOM, TIFF (.tif .tiff), ...": what can be a slice. */
+/** "DICOM, TIFF (.tif .tiff), ...": the formats of slices. */
 std::string
 DescribeSliceFormats();
 

@@ -60,7 +60,7 @@ SplitAtNumbers(const std::filesystem::path & file)
   return tokens;
 }
 
-/** The text of a number pattern before and behind the number, and what it says of it. */
+/** The text of a number pattern before and behind the number, and its format. */
 struct NumberPattern
 {
   std::string prefix;
@@ -105,7 +105,7 @@ ParseNumberPattern(const std::string & name)
                         !width.empty() && width.front() == '0' };
 }
 
-/** Whether the whole name is what a pattern with * and ? describes. */
+/** Whether the whole name matches a pattern with * and ?. */
 bool
 Matches(std::string_view name, std::string_view pattern)
 {
@@ -261,7 +261,7 @@ AreSeveralSets(const std::vector<std::vector<Token>> & names)
     names.begin(), names.end(), [&](const auto & name) { return numbers.insert(name[last].number).second; });
 }
 
-/** Slices have one text around their number; what has another one is of another set, or no slice. */
+/** Slices have one text around their number; a file with another text is of another set, or no slice. */
 void
 CheckTexts(const std::filesystem::path &              input,
            const std::vector<std::filesystem::path> & files,

@@ -18,7 +18,7 @@ NamesSlices(const std::filesystem::path & input);
 bool
 IsNumberPattern(const std::filesystem::path & input);
 
-/** Files in a folder, or those that a pattern describes, in natural order. Names that begin with a dot are left out.
+/** Files in a folder, or of a pattern, in natural order. Names that begin with a dot are left out.
  * \param range first and last number of a number pattern, all of which must exist; empty: all that exist
  * \throw HeaderError Unreadable for a missing folder or file */
 std::vector<std::filesystem::path>

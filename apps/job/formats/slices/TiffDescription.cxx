@@ -85,7 +85,7 @@ ReadImageJ(const std::string & text)
   return description;
 }
 
-/** Planes lie in the file in the order of the volume; other orders, and those of several files, are refused. */
+/** Planes lie in the file in the order of the volume; other orders and several files are refused. */
 bool
 HasOtherOrder(const std::string & text)
 {
@@ -138,7 +138,7 @@ ReadOme(const std::string & text)
   return description;
 }
 
-/** The sizes of an array as tifffile writes them where it is not told what its axes are. */
+/** The sizes of an array as tifffile writes them when it does not know the axes. */
 TiffDescription
 ReadShape(const std::string & text)
 {

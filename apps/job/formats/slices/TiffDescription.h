@@ -11,23 +11,23 @@
 namespace medialvoxel
 {
 
-/** What ImageJ, tifffile, or a program that writes OME-TIFF, says of a stack in the description of its first slice. */
+/** The description of a stack in its first slice, by ImageJ, tifffile, or a program that writes OME-TIFF. */
 struct TiffDescription
 {
   std::string images;  ///< number of slices that it announces; empty: none
   std::string refusal; ///< why the stack is not one volume; empty when it may be one
   bool        isOfImageJ{ false };
-  bool        isCalibrated{ false }; ///< ImageJ shows other values than those that are stored
+  bool        isCalibrated{ false }; ///< ImageJ shows other values than the stored ones
   std::string unknownUnit;           ///< of a length; empty: all units are known
 
-  /** Millimeters of the unit of each axis; ImageJ tells that of the resolution here alone. */
+  /** Millimeters of the unit of each axis; ImageJ gives the unit of the resolution only here. */
   std::array<std::optional<double>, 3> units;
 
   /** Distances of voxels in these units, where they are told. */
   std::array<std::optional<double>, 3> lengths;
 };
 
-/** Never fails: what is not understood is left out. */
+/** Never fails: unknown parts are left out. */
 TiffDescription
 ReadTiffDescription(const std::string & text);
 

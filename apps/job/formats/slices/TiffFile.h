@@ -47,10 +47,10 @@ struct TiffBands
 };
 
 /** \class TiffFile
- * \brief A TIFF or BigTIFF file in the hands of libtiff, which keeps one directory, that of one slice, at a time.
+ * \brief A TIFF or BigTIFF file in the hands of libtiff, which keeps one directory, of one slice, at a time.
  *
- * What libtiff complains of becomes part of the errors and is not printed; its warnings are dropped. It reads through
- * this class, which refuses all that would lie behind the end of the file: libtiff takes some of it for zeros. */
+ * Complaints of libtiff become part of the errors and are not printed; its warnings are dropped. It reads through
+ * this class, which refuses reads behind the end of the file: libtiff takes some of them for zeros. */
 class TiffFile
 {
 public:
@@ -82,7 +82,7 @@ public:
     return TIFFGetField(m_Handle.get(), tag, &value) == 1 ? value : preset;
   }
 
-  /** For what else libtiff tells of the directory. */
+  /** For further tags of the directory. */
   TIFF *
   GetHandle() const
   {
@@ -130,7 +130,7 @@ private:
   static int
   DropWarning(TIFF *, void *, const char *, const char *, va_list);
 
-  /** Of voxels as they are unpacked: those of one bit become bytes. */
+  /** Of unpacked voxels: one bit becomes a byte. */
   std::uint64_t
   GetBytesPerVoxel() const;
 
@@ -144,7 +144,7 @@ private:
   void
   ReadTiles(const TiffBands & bands, std::uint64_t band, char * voxels);
 
-  /** What libtiff read of a directory was there. */
+  /** Libtiff found all bytes of the directory. */
   void
   CheckDirectory(bool isRead, const char * what) const;
 
@@ -152,7 +152,7 @@ private:
   std::ifstream                 m_File;
   std::uint64_t                 m_Size;
   bool                          m_EndsEarly{ false };
-  std::string                   m_Complaint; ///< the first one, which is the cause of those that follow
+  std::string                   m_Complaint; ///< the first one, the cause of the later ones
   std::unique_ptr<TIFF, Closer> m_Handle;
   std::vector<char>             m_Tile;
   std::vector<unsigned char>    m_Bits; ///< of a strip or tile

@@ -41,7 +41,7 @@ constexpr std::array<Packing, 6> Packings{ { { COMPRESSION_NONE, "none", 1 },
                                              { COMPRESSION_PACKBITS, "PackBits", 4096 },
                                              { COMPRESSION_ZSTD, "Zstandard", 32768 } } };
 
-/** What all slices share. */
+/** Properties that all slices share. */
 struct SliceFormat
 {
   std::uint32_t width;
@@ -138,7 +138,7 @@ GetPixelType(const TiffFile & file, const SliceFormat & format)
   return *type;
 }
 
-/** Distances of voxels, and why they are a guess; empty: they are millimeters that the file tells. */
+/** Distances of voxels, and why they are a guess; empty: the file gives them in millimeters. */
 struct TiffSpacing
 {
   std::array<double, 3> lengths{ { 1.0, 1.0, 1.0 } };
@@ -335,7 +335,7 @@ private:
     }
   }
 
-  /** ImageJ lists only the first slice of large stacks and tells the number of those that follow it.
+  /** ImageJ lists only the first slice of large stacks, with the number of the others.
    * \return number of all slices */
   std::uint64_t
   AddUnlistedSlices()
@@ -407,7 +407,7 @@ private:
     }
   }
 
-  /** How other programs show values that are not what is stored. */
+  /** Whether other programs show other values than the stored ones. */
   std::string
   DescribeShown() const
   {

@@ -155,7 +155,7 @@ private:
 };
 
 /** \class TiledTiffImageIO
- * \brief What MakeTiffImageIO() makes for tiles, which are checked when they are read. */
+ * \brief The reader of MakeTiffImageIO() for tiles, which are checked when they are read. */
 class TiledTiffImageIO : public itk::StreamingRawImageIO
 {
 public:

@@ -22,8 +22,8 @@ ReadTiffSliceHeader(const std::filesystem::path & fileName);
 std::unique_ptr<VoxelStream>
 OpenTiffStream(const VolumeHeader & header);
 
-/** Reads parts of a stack that is not compressed: strips where they lie, tiles by libtiff, one row of them at a time.
- * What is read of tiles is in the byte order of the machine.
+/** Reads regions of a stack that is not compressed: strips where they lie, tiles by libtiff, one row of them at a
+ * time. Values of tiles are in the byte order of the machine.
  * \throw JobError CorruptInput for a stack that changed since its header was read */
 itk::StreamingRawImageIO::Pointer
 MakeTiffImageIO(const VolumeHeader & header);

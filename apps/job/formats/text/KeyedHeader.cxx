@@ -22,8 +22,8 @@ constexpr const char * VoxelExtension = ".vol";
 constexpr size_t        MaximumBytesPerLine = 1 << 16;
 constexpr std::uint64_t MaximumBytesOfHeader = 1 << 20;
 
-/** What programs of scanners call the fields of a header. Names are "[section]key", or "key" where a header has no
- * sections; nothing else stands for what a dialect does not have. */
+/** Names that programs of scanners give the fields of a header. Names are "[section]key", or "key" where a header has
+ * no sections; an empty name is a field that a dialect lacks. */
 struct Dialect
 {
   const char *              extension;  ///< of the header
@@ -117,7 +117,7 @@ GetStem(const std::filesystem::path & fileName, const std::string & extension)
 }
 
 /** \class KeyedFields
- * \brief The fields of a header; of what it says twice, both must be the same. */
+ * \brief The fields of a header; a repeated field must have the same value. */
 class KeyedFields
 {
 public:

@@ -94,7 +94,7 @@ Format(const Whole & numbers)
   return Join(numbers, " ", [](std::int32_t number) { return std::to_string(number); });
 }
 
-/** What a volume has, among what the format allows. */
+/** The properties of a volume that the format leaves open. */
 void
 CheckVariant(const std::filesystem::path & fileName, const BinaryHeader & fields)
 {
@@ -143,7 +143,7 @@ ReadPixelType(const std::filesystem::path & fileName, const BinaryHeader & field
                  "MODE is " + std::to_string(mode) +
                    "; only 0, 1, 2 and 6 are read: int8, int16, float32 and uint16, no float16 and no complex numbers");
   }
-  // IMOD marks its files, and those with signed bytes among them.
+  // IMOD marks its files, and also marks signed bytes.
   constexpr std::int32_t imod = 1146047817;
   const bool             isUnsigned =
     fields.Get<std::int32_t>(ImodStamp) == imod && (fields.Get<std::uint32_t>(ImodFlags) & 1u) == 0;

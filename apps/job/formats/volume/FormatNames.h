@@ -13,7 +13,7 @@ namespace medialvoxel
 std::vector<std::string>
 ListInputFormats();
 
-/** Extensions of the volumes that are written: those of formats that have so many components. */
+/** Extensions of written volumes, of the formats that have so many components. */
 std::vector<std::string>
 ListOutputExtensions(unsigned int components = 1);
 

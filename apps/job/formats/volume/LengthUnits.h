@@ -21,8 +21,8 @@ GetMillimeters(const std::string & unit);
 void
 ApplyUnits(VolumeHeader & header, const std::vector<std::string> & units);
 
-/** Lengths along some axes are a guess; a spacing that the user gives ends the warning.
- * \param what the file lacks, such as "the pages do not tell how far they are from each other" */
+/** Warns that lengths along some axes are a guess; a spacing that the user gives ends the warning.
+ * \param what the file lacks, for example "the pages do not tell how far they are from each other" */
 void
 WarnOfUnknownSpacing(VolumeHeader & header, const std::string & what);
 

@@ -14,7 +14,7 @@
 namespace medialvoxel
 {
 
-/** Calls the function and turns failures of the pipeline, such as a file that is gone, into JobError. */
+/** Calls the function and turns failures of the pipeline, for example a missing file, into JobError. */
 template <typename TFunction>
 auto
 WithPipelineErrors(TFunction && function)

@@ -13,7 +13,7 @@ namespace
 {
 
 /** \class CheckedRawImageIO
- * \brief Tells voxels that a file lost after its header was read, corrupt input, from other failures of reading. */
+ * \brief Reports voxels that a file lost after its header was read as corrupt input. */
 class CheckedRawImageIO : public itk::StreamingRawImageIO
 {
 public:

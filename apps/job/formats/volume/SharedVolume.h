@@ -35,16 +35,16 @@ public:
   virtual void
   CreateShared(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & suffix) = 0;
 
-  /** Removes what CreateShared() made, if it is there. */
+  /** Removes the files of CreateShared(), if they exist. */
   virtual void
   RemoveShared(const std::string & suffix) const = 0;
 
-  /** Opens what CreateShared() made, to write clusters. \throw JobError Failure when it is not as it was made. */
+  /** Opens the files of CreateShared(), to write clusters. \throw JobError Failure when they have changed. */
   virtual void
   OpenShared(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & suffix) = 0;
 
-  /** Opens what CreateShared() made when all clusters are written, to publish it: the same again when that was
-   * interrupted. \throw JobError Failure when it is not as it was made. */
+  /** Opens the files of CreateShared() when all clusters are written, to publish them. A previous, interrupted
+   * publication may be repeated. \throw JobError Failure when they have changed. */
   virtual void
   OpenToPublish(const VolumeGeometry & geometry,
                 const VoxelLayout &    layout,
@@ -62,11 +62,11 @@ public:
   virtual void
   StartCluster() = 0;
 
-  /** Of what was written for the cluster, as it is stored. */
+  /** Of the stored bytes written for the cluster. */
   virtual std::uint32_t
   GetChecksum() const = 0;
 
-  /** The same of what is stored, read anew. */
+  /** The same of the stored bytes, read anew. */
   virtual std::uint32_t
   ReadChecksum(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels) const = 0;
 

@@ -27,7 +27,7 @@ struct SlicePlace
 
 struct DicomFrame;
 
-/** What the image of a slice says before its voxels are read. */
+/** The header of the image of a slice. */
 struct SliceHeader
 {
   std::filesystem::path                fileName;
@@ -41,7 +41,7 @@ struct SliceHeader
   bool                                 isDistanceKnown{ true }; ///< of its place to that of others
   std::optional<std::int64_t>          number;                  ///< of the DICOM instance
   std::optional<std::array<double, 2>> padding;            ///< of DICOM: from and to, of values that are no measurement
-  std::string                          acquisition;        ///< of DICOM: what tells scans of one series apart
+  std::string                          acquisition;        ///< of DICOM: distinguishes the scans of one series
   std::string                          series;             ///< instance UID of the DICOM series; empty: none
   std::string                          description;        ///< of the series
   std::uint64_t                        decoderMemory{ 0 }; ///< memory that decoding takes beside the slice
@@ -72,7 +72,7 @@ struct SliceFormat
 
   bool isInput; ///< also of a volume by itself: a file may have several slices
 
-  /** Whether a file without such an extension is of the format; null: never. */
+  /** Whether a file with another extension is of the format; null: never. */
   bool (*isKnown)(const std::filesystem::path &);
 
   /** Nothing for a file of the format that has no image. \throw HeaderError */
@@ -85,7 +85,7 @@ struct SliceFormat
   /** Memory that reading takes once, for the libraries. */
   std::uint64_t libraryMemory;
 
-  /** What to build the program with to read the format; empty: it reads it. */
+  /** The option of the build that reads the format; empty: built. */
   const char * remedy{ "" };
 };
 

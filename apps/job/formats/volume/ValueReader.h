@@ -59,10 +59,10 @@ public:
 std::vector<itk::MedialVoxelBox>
 CutIntoParts(const itk::MedialVoxelBox & box, std::size_t bytesPerVoxel, bool takesRows);
 
-/** Opens a volume that ReadVolumeHeader() has checked, or ResampleHeader() has made. A compressed one that
- * UnpackVolume() has not got is read from front to back.
- * \param interpolation of a resampled one
- * \param bytesToKeep of chunks whose further slices are needed later, for volumes that are stored in such */
+/** Opens a volume that ReadVolumeHeader() has checked, or ResampleHeader() has made. Reads a compressed one from
+ * front to back unless UnpackVolume() has unpacked it.
+ * \param interpolation of a resampled volume
+ * \param bytesToKeep of chunks whose further slices are needed later, for volumes in chunks */
 std::unique_ptr<ValueReader>
 MakeValueReader(const VolumeHeader & header,
                 Interpolation        interpolation = Interpolation::Linear,

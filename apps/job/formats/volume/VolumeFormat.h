@@ -24,17 +24,17 @@ class SharedVolume;
 class ValueReader;
 class VoxelStream;
 
-/** An extension of a format, and what it says of volumes that are written. */
+/** An extension of a format, and the layout of volumes written under it. */
 struct VolumeExtension
 {
   const char * text;
   bool         isDetached{ false }; ///< voxels in a file of their own
   bool         isPacked{ false };   ///< the whole file, always
   bool         canPack{ false };    ///< when asked for
-  const char * remedy{ "" };        ///< what to name instead of a file that cannot be packed
+  const char * remedy{ "" };        ///< the file to name instead of one that cannot be packed
 };
 
-/** What compares the size of the data file with that of the voxels. */
+/** How the size of the data file is compared with the size of the voxels. */
 enum class DataSizeCheck
 {
   AtLeast, ///< after the header was read: they have to fit
@@ -64,10 +64,10 @@ struct VolumeInput
   /** Names of the segments of a label map; null: the format has none. \throw HeaderError */
   SegmentTable (*readSegments)(const std::filesystem::path &){ nullptr };
 
-  /** True for what the format reads though its name has none of the extensions; null: there is nothing. */
+  /** True for files that the format reads under other extensions; null: never. */
   bool (*isKnown)(const std::filesystem::path &){ nullptr };
 
-  /** Of formats whose volumes are folders: true for such a folder. */
+  /** Of formats whose volumes are folders: true for a folder of the format. */
   bool (*isFolder)(const std::filesystem::path &){ nullptr };
 
   /** In place of readHeader, where the options choose among the files that a name stands for. */
@@ -93,7 +93,7 @@ struct VolumeWriter
   bool          packsChunks{ false };  ///< when the options say so
   bool          packsHeader{ false };  ///< with the voxels, when they are packed
   bool          packsAsZlib{ false };  ///< otherwise as gzip
-  bool          hasComponents{ true }; ///< those of a voxel may lie beside each other
+  bool          hasComponents{ true }; ///< the components of a voxel may lie beside each other
   std::uint64_t largestSize{ 0 };      ///< along an axis; 0: any
 
   /** Memory beside the results of a piece, and slices that are written together. Null: none, and each by itself. */
@@ -114,7 +114,7 @@ struct VolumeFormat
   std::vector<VolumeExtension> extensions;
   VolumeInput                  input;
   std::optional<VolumeWriter>  writer{}; ///< nothing: it is only read
-  std::string                  remedy{}; ///< what to build the program with to have the format; empty: it has it
+  std::string                  remedy{}; ///< the option of the build that adds the format; empty: built
 
   bool
   IsFolder() const
@@ -123,12 +123,12 @@ struct VolumeFormat
   }
 };
 
-/** What reads voxels that lie one after the other in a file, or are packed there as one stream. */
+/** Readers of voxels that lie one after the other in a file, or are packed there as one stream. */
 VolumeInput
 MakePlainInput(VolumeHeader (*readHeader)(const std::filesystem::path &),
                DataSizeCheck sizeCheck = DataSizeCheck::AtLeast);
 
-/** Says that the program was built without a format, and what to build it with. \throw JobError Usage */
+/** Refuses a format that the program was built without, and names the option of the build. \throw JobError Usage */
 [[noreturn]] void
 RefuseMissingFormat(const std::filesystem::path & fileName, const std::string & format, const std::string & remedy);
 

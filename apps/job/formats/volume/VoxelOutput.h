@@ -35,8 +35,8 @@ public:
   virtual void
   Write(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const void * data) = 0;
 
-  /** Writes the same rows of several slices, where GetRowsOfLayer() has more than 0: multiples of it, but for the last
-   * ones. Those of a slice follow each other, and slices in layers come with all rows before those of the next layer.
+  /** Writes the same rows of several slices, where GetRowsOfLayer() has more than 0: multiples of it, but for the
+   * last rows. The rows of a slice follow each other. A layer of slices comes with all rows before the next layer.
    * \throw JobError Failure. */
   virtual void
   WriteRows(const SliceRange & slices, const RowRange & rows, const void * data);
@@ -50,7 +50,7 @@ public:
   Read(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, void * data) const = 0;
 
   /** Reads back the voxels whose index along an axis is the second argument, x fastest, after Finish().
-   * \return false where that is not faster than to read what is needed of it row by row, and nothing was read */
+   * \return false where reading row by row is at least as fast; nothing was read then */
   virtual bool
   ReadPlane(unsigned int, std::uint64_t, void *) const
   {

@@ -20,7 +20,7 @@ public:
   virtual void
   Read(void * destination, std::uint64_t numberOfBytes) = 0;
 
-  /** To be called after the last voxel. \throw JobError CorruptInput when something is wrong with what follows. */
+  /** Call after the last voxel. \throw JobError CorruptInput when the rest of the stream is damaged. */
   virtual void
   CheckEnd() = 0;
 

@@ -9,9 +9,9 @@
 namespace medialvoxel
 {
 
-/** Packs values that are needed again, with LZ4, of which any part is unpacked alone; without libblosc a copy.
+/** Packs values that are needed again, with LZ4, so that any part unpacks alone; without libblosc a copy.
  * \param valueSize of one of them
- * \param workspace what was in it is lost */
+ * \param workspace loses its content */
 std::vector<char>
 PackInMemory(const std::vector<char> & values, std::uint64_t valueSize, std::vector<char> & workspace);
 

@@ -21,8 +21,8 @@ GetPackedSize(ZarrCompression compression, std::uint64_t numberOfBytes)
   return codec == nullptr ? 0 : codec->getMaximumSize(numberOfBytes);
 }
 
-/** Makes a folder and those that it is in; false on failure, with errno. The folder of the whole volume is not made:
- * when it is gone, another process has published or removed it, and it must not come back. */
+/** Makes a folder and its parents; false on failure, with errno. The folder of the whole volume is not made: when it
+ * is gone, another process has published or removed it, and it must not come back. */
 bool
 MakeFolders(const std::filesystem::path & folder)
 {
@@ -79,7 +79,7 @@ ZarrChunkWriter::GiveName(const std::filesystem::path & chunkFile) const
 std::uint64_t
 ZarrChunkWriter::GetMemory(ZarrCompression compression, std::uint64_t numberOfBytes)
 {
-  // Measured on whole runs: what zlib and zstd take at their levels.
+  // Memory of zlib and zstd at their levels, measured on whole runs.
   constexpr std::uint64_t workspace = std::uint64_t{ 1 } << 22;
   return compression == ZarrCompression::None ? 0 : GetPackedSize(compression, numberOfBytes) + workspace;
 }

@@ -51,8 +51,8 @@ public:
   void
   Write(const std::filesystem::path & chunkFile, const char * chunk);
 
-  /** Writes some bytes of a chunk that is completed later; bytes that are not written are 0.
-   * \param isFirst what an earlier process left of the chunk is dropped */
+  /** Writes some bytes of a chunk that is completed later; other bytes are 0.
+   * \param isFirst drops the bytes that an earlier process left of the chunk */
   void
   WriteSpan(const std::filesystem::path & chunkFile,
             const ZarrChunkSpan &         span,
@@ -84,7 +84,7 @@ private:
   void
   GiveName(const std::filesystem::path & chunkFile) const;
 
-  /** The bytes of a file, which are those of the chunk when nothing is packed. */
+  /** The bytes of a file, equal to the chunk when nothing is packed. */
   std::pair<const char *, std::uint64_t>
   Pack(const std::filesystem::path & chunkFile, const char * chunk);
 
@@ -99,7 +99,7 @@ private:
 };
 
 /** Opens a file of chunks to be read; nothing when there is none.
- * \throw JobError Failure, also for what is not a regular file */
+ * \throw JobError Failure, also when it is not a regular file */
 std::optional<SystemFile>
 OpenZarrChunks(const std::filesystem::path & chunkFile);
 

@@ -17,7 +17,7 @@ namespace medialvoxel
 namespace
 {
 
-/** Memory of the indices of shards that are kept, and what the map takes for each beside its numbers. */
+/** Memory of the cached indices of shards, and of the map for each beside its numbers. */
 constexpr std::uint64_t IndexCacheSize = std::uint64_t{ 1 } << 23;
 constexpr std::uint64_t IndexOverhead = 256;
 

@@ -23,7 +23,7 @@ namespace medialvoxel
 class ZarrChunks
 {
 public:
-  /** What a thread needs. */
+  /** The buffers of a thread. */
   struct Buffers
   {
     ZarrUnpacker      unpacker;
@@ -37,7 +37,7 @@ public:
   {
     std::uint64_t first{ 0 };
     std::uint64_t count{ 0 };
-    bool          moreFollow{ false }; ///< those behind them will be asked for: the chunk is kept when there is room
+    bool          moreFollow{ false }; ///< later slices will be asked for: the chunk is kept when there is room
   };
 
   /** \param folder of the array
@@ -69,7 +69,7 @@ public:
   bool
   ReadSpan(const ZarrIndex & index, std::uint64_t offset, std::vector<char> & bytes, Buffers & buffers);
 
-  /** Memory of the buffers of a thread and of a chunk, and that of what is known of shards. */
+  /** Memory of the buffers of a thread and of a chunk, and of the indices of shards. */
   static std::uint64_t
   GetBufferMemory(const ZarrArray & array);
   static std::uint64_t
@@ -117,13 +117,13 @@ private:
   ZarrGrid              m_ShardGrid;
   std::uint64_t         m_CacheSize;
 
-  std::mutex                          m_Mutex; ///< of what follows
+  std::mutex                          m_Mutex; ///< of the members below
   std::map<std::uint64_t, Kept>       m_Kept;  ///< slices that come first are first
   std::uint64_t                       m_CachedSize{ 0 };
   std::map<std::uint64_t, ShardIndex> m_ShardIndices;
 };
 
-/** Sets voxels to what those of chunks without a file are. */
+/** Sets voxels to the value of chunks without a file. */
 void
 FillChunk(const ZarrArray & array, std::vector<char> & voxels);
 

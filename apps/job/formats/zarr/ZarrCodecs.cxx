@@ -88,7 +88,7 @@ Inflate(const ZarrData & packed, char * target, std::uint64_t room)
   return done;
 }
 
-/** As gzip, whose header tells no time. */
+/** As gzip, with a header without a time. */
 Count
 Deflate(const ZarrData & bytes, std::uint64_t, char * target, std::uint64_t room)
 {

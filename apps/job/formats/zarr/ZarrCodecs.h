@@ -26,7 +26,7 @@ struct ZarrCodec
   const char * nameInVersion2; ///< empty: version 2 of Zarr has none
   const char * nameInVersion3;
 
-  /** What must be installed when the program is built, for the functions below to be there; empty: nothing. */
+  /** The library that the build needs for the functions below; empty: none. */
   const char * neededLibrary;
 
   /** The most bytes that so many may be packed into; larger ones are refused before they are read. */
@@ -50,7 +50,7 @@ struct ZarrCodec
 const ZarrCodec *
 FindZarrCodec(const std::string & name, int version);
 
-/** What packs the chunks that are written; null: nothing does. */
+/** Packs the chunks that are written; null: they are not packed. */
 const ZarrCodec *
 GetZarrCodec(ZarrCompression compression);
 

@@ -236,7 +236,7 @@ ZarrFields::AddCodec(const Json & name, const Json & options, int version, ZarrA
 void
 ZarrFields::CheckChunkSize(const ZarrArray & array) const
 {
-  // Memory is taken for whole chunks, also for those without a file: they must not be much larger than the array.
+  // Whole chunks take memory, also without a file: they must not be much larger than the array.
   constexpr std::uint64_t alwaysAllowed = std::uint64_t{ 1 } << 26;
   constexpr std::uint64_t allowedRatio = 8;
   const ZarrGrid &        grid = array.grid;

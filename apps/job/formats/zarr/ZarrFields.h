@@ -14,8 +14,8 @@
 namespace medialvoxel
 {
 
-/** What the metadata of the versions of Zarr have in common. All throw HeaderError, which names the file.
- * \class ZarrFields */
+/** \class ZarrFields
+ * \brief Metadata that the versions of Zarr have in common. All throw HeaderError, which names the file. */
 class ZarrFields
 {
 public:
@@ -66,7 +66,7 @@ public:
     return m_Json;
   }
 
-  /** Sets sizes of an array and its chunks, of which the last axes are those of space and the others have the length 1.
+  /** Sets sizes of an array and its chunks. The last axes are the axes of space, the others have the length 1.
    * \param dimension as ReadZarrArray() */
   void
   SetLengths(const Json & shape, const Json & chunks, unsigned int dimension, ZarrGrid & grid) const;
@@ -86,11 +86,11 @@ public:
   char
   ReadSeparator(const Json & separator) const;
 
-  /** Adds what packs the chunks. \param options of it, for a description */
+  /** Adds a codec of the chunks. \param options of it, for a description */
   void
   AddCodec(const Json & name, const Json & options, int version, ZarrArray & array) const;
 
-  /** Refuses what takes too much memory, once all else is set. */
+  /** Refuses chunks that take too much memory, once all else is set. */
   void
   CheckChunkSize(const ZarrArray & array) const;
 

@@ -27,14 +27,14 @@ struct ZarrBox
  * \brief How a volume is cut into the chunks of a Zarr array.
  *
  * Slices are indices along the last axis; an image of two dimensions has one row in each. Components have chunks of
- * their own. All chunks have the same size: those at the end of an axis go beyond the volume. */
+ * their own. All chunks have the same size: chunks at the end of an axis go beyond the volume. */
 struct ZarrGrid
 {
   ZarrIndex    size{ { 1, 1, 1 } };
   ZarrIndex    chunk{ { 1, 1, 1 } };
   VoxelLayout  layout;
   unsigned int dimension{ 3 };
-  unsigned int leadingAxes{ 0 }; ///< of the array before those of space; the last of them is that of components
+  unsigned int leadingAxes{ 0 }; ///< of the array, before the axes of space; the last of them is the axis of components
   char         separator{ '/' }; ///< between the indices in the name of a chunk
   std::string  prefix;           ///< of that name
 
@@ -110,9 +110,9 @@ ForEachChunk(const ZarrGrid & grid, const ZarrBox & box, TFunction && function)
   }
 }
 
-/** Fills slices of a chunk from a stretch of slices of the volume, all components of a voxel together, x fastest; zeros
- * where the chunk goes beyond the rows and columns of the volume.
- * \param rows that the voxels have of each slice, among them those of the chunk
+/** Fills slices of a chunk from a stretch of slices of the volume, all components of a voxel together, x fastest;
+ * zeros where the chunk goes beyond the rows and columns of the volume.
+ * \param rows of each slice that the voxels have, including the rows of the chunk
  * \param voxels begin with the first of the slices
  * \param planes receive as many slices of the chunk */
 void
@@ -125,9 +125,9 @@ GatherSlices(const ZarrGrid & grid,
              const void *     voxels,
              void *           planes);
 
-/** Copies to a box of voxels what a chunk has of it.
+/** Copies the part of a chunk to a box of voxels.
  * \param part a box in \a box and in the chunk
- * \param planes slices of the chunk, the first one that of \a part */
+ * \param planes slices of the chunk from the first slice of \a part on */
 void
 ScatterSlices(const ZarrGrid &  grid,
               std::uint64_t     component,

@@ -81,7 +81,7 @@ FindArrayFile(const Path & folder)
   return std::filesystem::exists(version3) ? version3 : folder / ZarrArrayFile;
 }
 
-/** What OME has among the metadata of a group. */
+/** The metadata of OME in a group. */
 Json
 GetOmeAttributes(const Path & fileName, const Json & metadata)
 {

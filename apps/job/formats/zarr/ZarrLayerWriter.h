@@ -19,8 +19,7 @@ namespace medialvoxel
 /** \class ZarrLayerWriter
  * \brief Writes slices of a volume, or some of their rows, to the chunks of an array.
  *
- * What does not fill a chunk waits in the file of that chunk, so that the memory is that of one chunk. A
- * layer is complete with its last rows. */
+ * Incomplete chunks wait in their files, so only one chunk is in memory. A layer is complete with its last rows. */
 class ZarrLayerWriter
 {
 public:
@@ -35,15 +34,15 @@ public:
                   std::optional<SpaceReserve> & reserve,
                   ChunkFileFunction             chunkFile);
 
-  /** \param rows those of whole chunks */
+  /** \param rows of whole chunks */
   void
   Write(const SliceRange & slices, const RowRange & rows, const char * voxels);
 
-  /** To be called after the last slices: what waits becomes chunks. */
+  /** Call after the last slices: completes the waiting chunks. */
   void
   Complete();
 
-  /** Forgets open layers, which are those of a cluster that was given up, and the layers of that cluster. */
+  /** Forgets open layers, which belong to an abandoned cluster, and the layers of that cluster. */
   void
   StartCluster();
 

@@ -24,7 +24,7 @@ MakeText(const Json & value)
   return value.dump(indent) + "\n";
 }
 
-/** Values of the axes in the order of the file: the leading ones, and those of space with x last. */
+/** Values of the axes in the order of the file: the leading ones, then the axes of space with x last. */
 template <typename TValue>
 std::vector<TValue>
 InFileOrder(const std::vector<TValue> & alongXYZ, unsigned int leadingAxes, TValue leading)

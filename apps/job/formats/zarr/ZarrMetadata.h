@@ -19,7 +19,7 @@ namespace medialvoxel
 // Versions 2 and 3 of Zarr, https://zarr-specs.readthedocs.io, and 0.4 and 0.5 of OME-Zarr,
 // https://ngff.openmicroscopy.org. Version 2 and 0.4 are written.
 
-/** The metadata of an array of version 2, and those of an array or a group of version 3. */
+/** Names of files with metadata: of an array in version 2, of an array or a group in version 3. */
 constexpr const char * ZarrArrayFile = ".zarray";
 constexpr const char * ZarrFile = "zarr.json";
 
@@ -43,8 +43,8 @@ struct ZarrLevel
   std::string    folder; ///< of the array, in that of the image
 };
 
-/** The file .zattrs: axes, and for each level spacing as scale and origin as translation. Directions, which the format
- * lacks, are an attribute of this project, left out when they are those of space.
+/** The file .zattrs: axes, and for each level spacing as scale and origin as translation. The format lacks
+ * directions; an attribute of this project has them, unless they are the axes of space.
  * \param name of the image */
 std::string
 MakeZarrAttributesText(const std::string & name, const std::vector<ZarrLevel> & levels);
@@ -72,7 +72,7 @@ struct ZarrShards
   }
 };
 
-/** What the metadata say of an array that is read. */
+/** The metadata of an array that is read. */
 struct ZarrArray
 {
   ZarrGrid                       grid;    ///< of shards their chunks
@@ -103,7 +103,8 @@ struct ZarrArray
   GetShardGrid() const;
 };
 
-/** Reads .zarray of version 2, or zarr.json of version 3, of an array whose last \a dimension axes are those of space.
+/** Reads .zarray of version 2, or zarr.json of version 3, of an array whose last \a dimension axes are the axes of
+ * space.
  * \param dimension 2 or 3; 0: as many as the array has, 3 at most
  * \throw HeaderError, or JobError when the file is not JSON */
 ZarrArray

@@ -38,7 +38,7 @@ GetHalf(const VolumeGeometry & geometry)
   return half;
 }
 
-/** Raises labels of half the number to those of a row. */
+/** Raises labels of half the number to the labels of a row. */
 void
 RaiseRow(const Label * labels, std::uint64_t count, Label * half)
 {
@@ -52,9 +52,9 @@ RaiseRow(const Label * labels, std::uint64_t count, Label * half)
   }
 }
 
-/** Raises the labels of a chunk to those of one of the 2 x 2 x 2 chunks that it stands for, all of one shape.
- * \param size of what is in the volume
- * \param place of that chunk among them, 0 or 1 along each axis */
+/** Raises the labels of a chunk to the labels of one of its 2 x 2 x 2 finer chunks, all of one shape.
+ * \param size of the chunk within the volume
+ * \param place of the finer chunk among them, 0 or 1 along each axis */
 void
 RaiseChunk(const ZarrGrid & grid, const ZarrIndex & size, const ZarrIndex & place, const Label * from, Label * to)
 {

@@ -30,7 +30,7 @@ GetBoxAxis(const ZarrGrid & grid, unsigned int axis)
 }
 
 /** \class ZarrValues
- * \brief What MakeZarrValues() makes; those of several threads share the chunks. */
+ * \brief The reader of MakeZarrValues(); the readers of several threads share the chunks. */
 class ZarrValues : public ValueReader
 {
 public:
@@ -106,7 +106,7 @@ public:
                ? this->MakeView(m_Rows.data() + column * valueSize)
                : this->MakeFill();
     }
-    // Rows that are not asked for now are those of neighbors, to which some of these will be a halo.
+    // The other rows belong to neighbors, to which some of these will be a halo.
     const bool isNeededAgain =
       wanted.begin[2] + wanted.size[2] < chunk.begin[2] + chunk.size[2] || wanted.size[1] < chunk.size[1];
     const char * const planes = m_Chunks->Read(0, index, { slice, wanted.size[2], isNeededAgain }, m_Buffers);

@@ -14,7 +14,7 @@ namespace medialvoxel
 std::unique_ptr<ValueReader>
 MakeZarrValues(const VolumeHeader & header, std::uint64_t bytesToKeep);
 
-/** Memory of a thread that reads an array, and of all threads together for what is known of shards. */
+/** Memory of a thread that reads an array, and of all threads together for the indices of shards. */
 std::uint64_t
 GetZarrThreadMemory(const ZarrArray & array);
 

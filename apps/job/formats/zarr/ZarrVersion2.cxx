@@ -10,7 +10,7 @@ namespace medialvoxel
 namespace
 {
 
-/** Sets type and byte order from a name of NumPy's, such as "<u2". */
+/** Sets type and byte order from a name of NumPy's, for example "<u2". */
 void
 SetType(const ZarrFields & fields, ZarrArray & array)
 {

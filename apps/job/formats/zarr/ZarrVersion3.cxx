@@ -105,7 +105,7 @@ ReadShards(const ZarrFields & fields, const Json & sharding)
   return shards;
 }
 
-/** Sets what makes the bytes of a chunk: transpose, bytes, and what packs them. */
+/** Sets the codecs of a chunk: transpose, bytes, and packing. */
 void
 SetCodecs(const ZarrFields & fields, const Json & codecs, ZarrArray & array)
 {
@@ -139,7 +139,7 @@ SetCodecs(const ZarrFields & fields, const Json & codecs, ZarrArray & array)
   }
 }
 
-/** Makes the chunks of the array the shards, and those within them its chunks. */
+/** The chunks of the array become the shards, and the inner chunks its chunks. */
 void
 DivideShards(const ZarrFields & fields, const Json & sharding, ZarrArray & array)
 {

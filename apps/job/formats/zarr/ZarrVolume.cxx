@@ -161,7 +161,7 @@ ZarrVolume::OpenToPublish(const VolumeGeometry & geometry,
   this->RemovePartialChunks();
 }
 
-/** Those of processes that ended early. */
+/** Folders of processes that ended early. */
 void
 ZarrVolume::RemovePartialChunks() const
 {
@@ -285,7 +285,7 @@ ZarrVolume::Finish()
   m_Folder.Finish();
 }
 
-/** What an interrupted process left of them is replaced by the same. */
+/** Replaces the files of an interrupted process by equal ones. */
 void
 ZarrVolume::WriteSmallerLevels()
 {

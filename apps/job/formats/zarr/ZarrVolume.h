@@ -20,8 +20,8 @@ namespace medialvoxel
 /** \class ZarrVolume
  * \brief A folder with a volume as OME-Zarr 0.4: an array of Zarr's version 2, its chunks in files.
  *
- * Slices come in any division. Those that do not fill a layer of chunks wait in the files of their chunks, so that the
- * memory is that of one chunk. Clusters must be whole layers. Smaller levels are made when all chunks are there. */
+ * Slices come in any division. Incomplete layers of chunks wait in the files of their chunks, so only one chunk is
+ * in memory. Clusters must be whole layers. Smaller levels are made when all chunks are there. */
 class ZarrVolume : public SharedVolume
 {
 public:
@@ -136,7 +136,7 @@ private:
   std::vector<MetadataFile>              m_Metadata;
   std::optional<ZarrChunkWriter>         m_Writer;
   std::optional<SpaceReserve>            m_Reserve;
-  mutable std::optional<Reader>          m_Reader; ///< of what was written
+  mutable std::optional<Reader>          m_Reader; ///< of the written volume
   mutable std::optional<ZarrLayerWriter> m_Layers;
 };
 
