@@ -11,7 +11,7 @@
 namespace medialvoxel
 {
 
-/** Of options that are not shown; the parser takes the name of one in no group for empty. */
+/** The group of hidden options; the parser has no name for options in no group. */
 constexpr const char * HiddenGroup = "hidden";
 
 using Options = std::vector<const CLI::Option *>;

@@ -27,7 +27,7 @@ private:
   std::uint32_t m_Value{ 0 };
 };
 
-/** Of a text as a whole. */
+/** The checksum of a whole text. */
 std::uint32_t
 GetChecksum(const std::string & text);
 

@@ -58,8 +58,8 @@ public:
   Manifest
   ReadManifest() const;
 
-  /** To be called before the folder is written to: it may have been removed, or given to another job.
-   * \throw JobError Failure when its manifest is not that of the job */
+  /** Call before the folder is written to: it may have been removed, or given to another job.
+   * \throw JobError Failure when its manifest is of another job */
   void
   CheckStillOf(const Manifest & manifest) const;
 
@@ -75,7 +75,7 @@ public:
   std::optional<Manifest>
   ReadUnfinishedPlan() const;
 
-  /** To be called before the first output is created, so that they are found if this ends early. */
+  /** Call before the first output is created, so that outputs are found if this process ends early. */
   void
   WriteUnfinishedPlan(const Manifest & manifest) const;
 

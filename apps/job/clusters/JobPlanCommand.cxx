@@ -27,7 +27,7 @@ constexpr std::uint64_t WorkPerCluster = std::uint64_t{ 1 } << 29;
 /** Fewer would leave processors without work towards the end, and more to lose when a process is stopped. */
 constexpr std::uint64_t FewestClusters = 16;
 
-/** Of a cluster: with automatic thickness 32 slices take 13 % more time than whole slabs, 16 take 25 to 30 %. */
+/** Slices of a cluster: with automatic thickness 32 slices take 13 % more time than whole slabs, 16 take 25 to 30 %. */
 constexpr std::uint64_t FewestSlices = 16;
 
 void

@@ -60,7 +60,7 @@ Fill(const std::string & text, const Values & values)
   return filled;
 }
 
-/** Of one process, which divides its clusters as it likes. */
+/** Memory of one process, which divides its clusters as it likes. */
 std::uint64_t
 ChooseMemory(ExtractOptions options)
 {

@@ -66,7 +66,7 @@ HoldsElements(MeshFormat format);
 /** The settings of the writers. */
 struct MeshWriteOptions
 {
-  /** Of the formats of solvers. */
+  /** Where formats of solvers have the thickness. */
   ThicknessPlace thicknessPlace{ ThicknessPlace::Sections };
 
   /** With ThicknessPlace::Sections: elements whose thickness has the same nearest multiple of this width share a
@@ -81,13 +81,13 @@ struct MeshWriteOptions
   /** The surface of a part, not its medial surface: its faces have no rims and junctions, but caps. */
   bool isOfPart{ false };
 
-  /** Of lengths, for a reader. */
+  /** The unit of lengths, for a reader. */
   std::string unit{ "units of the spacing" };
 
   /** Further numbers of all vertices, with their names; formats for the surface of a part have them. */
   std::vector<const VertexValues *> vertexArrays;
 
-  /** Of formats with colors; unset: from the least to the greatest thickness of the vertices. */
+  /** For formats with colors; unset: from the least to the greatest thickness of the vertices. */
   std::optional<ThicknessRange> colorRange;
 
   /** Abaqus: elements or nodes whose numbers or thickness, of 8 bytes, are kept at once; no other influence. */

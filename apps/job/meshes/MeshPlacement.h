@@ -21,7 +21,7 @@ GetSize(const VolumeGeometry & geometry);
 itk::MedialVoxelSurfacePlacement
 GetPlacement(const VolumeGeometry & geometry);
 
-/** Of the coordinates of a surface: known before it is. */
+/** Precision of the coordinates of a mesh, known before the mesh. */
 MeshPrecision
 GetPrecision(const VolumeGeometry & geometry);
 

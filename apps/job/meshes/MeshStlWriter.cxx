@@ -15,7 +15,7 @@ constexpr size_t HeaderSize = 80;
 
 using Position = std::array<float, 3>;
 
-/** Of length 1, to the side that sees the corners counterclockwise; zero for a triangle without area. */
+/** The unit normal to the side that sees the corners counterclockwise; zero for a triangle without area. */
 Position
 GetNormal(const std::array<Position, 3> & corners)
 {

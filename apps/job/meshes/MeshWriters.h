@@ -38,7 +38,7 @@ GetLabel(MeshReader & reader, const MeshWriteOptions & options, const MeshFace &
   return options.objectLabels[reader.GetObject(face) - 1];
 }
 
-/** Of groups and sets of the faces of an object: OBJECT_7, and OBJECT_MINUS_7 where no sign is allowed. */
+/** Names of groups and sets of the faces of an object: OBJECT_7, and OBJECT_MINUS_7 where no sign is allowed. */
 std::string
 GetObjectName(std::int64_t label);
 

@@ -15,7 +15,7 @@ namespace
 
 using Vector = std::array<double, 3>;
 
-/** Of the smallest spacing. */
+/** Steps in smallest spacings. */
 constexpr double StepOfSpacing = 0.25;
 
 Vector

@@ -22,8 +22,8 @@ using itk::MedialVoxelSurfaceComponents;
 /** Vertices or faces that are copied at a time; even, so that pairs of triangles stay together. */
 constexpr std::uint64_t CopiedAtATime = std::uint64_t{ 1 } << 14;
 
-/** Of the table of components, for each vertex, in a vector that grows; of that of branches, for each vertex and face,
- * and for each of the sides that are junctions, which are few. */
+/** Memory of the table of components, for each vertex, in a vector that grows; of the table of branches, for each
+ * vertex and face, and for each junction side, which are few. */
 constexpr std::uint64_t ComponentVertexSize = 8;
 constexpr std::uint64_t FacesPerJunctionSide = 8;
 

@@ -31,7 +31,7 @@ static_assert(PendingCellSize <= 8 * SheetMesh::MostPending);
 /** Memory for reading the scratch files for a writer. */
 constexpr std::uint64_t WritingMemory = 8 * MiB;
 
-/** Of surfaces that are planned for, whose tables and scratch files hold all vertices; there are as many faces. */
+/** Planned density of vertices, whose tables and scratch files hold all of them; there are as many faces. */
 constexpr std::uint64_t VoxelsPerVertex = 64;
 
 /** Cells that may wait at least; pieces that find more than fit are done in smaller ones. */

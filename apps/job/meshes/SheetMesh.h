@@ -34,7 +34,7 @@ public:
   static constexpr std::uint64_t MostPending = 8;
 
   /** \param grid          the image in the units of the options
-   * \param surplus  for cells that wait until their piece is done, beside those of GetFootprint() */
+   * \param surplus  for cells that wait until their piece is done, beside the memory of GetFootprint() */
   SheetMesh(const ExtractOptions &       options,
             const VolumeGeometry &       geometry,
             const itk::MedialVoxelGrid & grid,
@@ -50,14 +50,14 @@ public:
   /** The number of the object that a cell belongs to in the current pass, from 1 on. */
   using FindObject = std::function<std::uint16_t(const itk::MedialVoxelIndex & cell)>;
 
-  /** Of a label map, before the first piece. */
+  /** Sets how objects of a label map are found, before the first piece. */
   void
   FindObjectsWith(FindObject find)
   {
     m_FindObject = std::move(find);
   }
 
-  /** Of rims that are extended, before the surface is written; otherwise they end half a thickness further on. */
+  /** Sets the rays that extend rims, before the sheet is written; otherwise they end half a thickness further on. */
   void
   FindEdgesWith(itk::MedialVoxelMeasureRimRays measure)
   {
@@ -91,8 +91,8 @@ public:
   const MeshSpool &
   Finish(std::uint64_t memoryLimit, unsigned int threads, const std::function<void(double)> & progress);
 
-  /** Of a run over a part with thin walls. Scratch files are of a surface that has a vertex and a face for each 64
-   * voxels; denser ones take more. */
+  /** Memory of a run over a part with thin walls. Scratch files are planned for a vertex and a face for each 64
+   * voxels; denser sheets take more. */
   static ProductFootprint
   GetFootprint(const ExtractOptions & options, const VolumeGeometry & geometry, const itk::MedialVoxelGrid & grid);
 

@@ -18,7 +18,7 @@ namespace
 using Index = std::uint32_t;
 using Vector = itk::MedialVoxelVector3;
 
-/** Of the length of a side: a node that is nearer to it lies on it. */
+/** Share of the length of a side: a nearer node lies on it. */
 constexpr double NearSide = 1e-3;
 
 struct Element
@@ -51,7 +51,7 @@ ReadMesh(const MeshSpool & surface)
   return mesh;
 }
 
-/** Of a side, with the place of its element and whether the element goes from the lower to the higher node. */
+/** An element at a side, and whether the element goes from the lower to the higher node. */
 struct Side
 {
   Index low;

@@ -9,8 +9,8 @@
 namespace medialvoxel
 {
 
-/** Of a surface as files have it, whose faces have elements of a size: all of them are held in memory, which takes less
- * than giving them the size did. */
+/** Measures a mesh with the rounding of files, whose faces have elements of a size. All of them are held in memory,
+ * which takes less than remeshing did. */
 MeshQuality
 MeasureQuality(const MeshSpool & surface);
 

@@ -23,7 +23,7 @@ namespace
 
 using Index = itk::MedialVoxelSheet::Index;
 
-/** Of the mean side of the fine surface: how far that may be off, and the sides of the first coarsening. */
+/** In mean sides of the fine sheet: its allowed deviation, and the sides of the first coarsening. */
 constexpr double NoiseOfSide = 0.5;
 constexpr double SidesOfFirst = 3.0;
 
@@ -105,7 +105,7 @@ ReadSheet(MeshReader & reader, std::vector<std::uint32_t> & objects)
   return sheet;
 }
 
-/** Of the halves along the first diagonal. */
+/** The area of both halves along the first diagonal. */
 double
 GetArea(const itk::MedialVoxelRemeshedSheet & sheet, const itk::MedialVoxelShellElement & element)
 {

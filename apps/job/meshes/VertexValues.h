@@ -39,7 +39,7 @@ public:
   void
   Read(std::uint64_t first, std::uint64_t count, std::vector<float> & numbers) const;
 
-  /** Of a vertex that exists; fast when vertices are asked for in their order. \throw JobError Failure. */
+  /** The value of an existing vertex; fast when vertices are asked for in their order. \throw JobError Failure. */
   float
   Get(std::uint64_t vertex) const;
 

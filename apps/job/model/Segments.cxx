@@ -42,7 +42,7 @@ FindLabel(const SegmentTable & table, const std::string & name)
   return found->label;
 }
 
-/** Of labels of 3D Slicer. */
+/** 3D Slicer stores labels of this range. */
 bool
 CanBeSegment(std::int64_t label)
 {

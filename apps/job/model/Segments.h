@@ -59,7 +59,7 @@ private:
   std::map<std::int64_t, std::size_t> m_Places; ///< in the list, by label
 };
 
-/** The labels of a selection, including those given by names.
+/** The labels of a selection, with labels given by names.
  * \throw JobError Usage for a name that no segment has, or several have */
 LabelSelection
 ResolveNames(const LabelSelection & selection, const SegmentTable & table);

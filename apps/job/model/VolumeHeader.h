@@ -43,7 +43,7 @@ struct VolumeGeometry
   itk::MedialVoxelBox
   GetVoxelBox() const;
 
-  /** Of lengths in space, for a reader. */
+  /** The unit of lengths in space, for a reader. */
   std::string
   DescribeUnit() const
   {
@@ -62,8 +62,8 @@ struct VolumeGeometry
   }
 };
 
-/** Of an image with a pixel for each cell of a volume: it begins half a voxel further along each axis that is longer
- * than one voxel. */
+/** The geometry of an image with a pixel for each cell of a volume: it begins half a voxel further along each axis
+ * that is longer than one voxel. */
 VolumeGeometry
 GetCellGeometry(const VolumeGeometry & voxels);
 
@@ -129,7 +129,8 @@ struct VolumeHeader
   bool                  compressed{ false };
   std::uint64_t         skipAfterInflation{ 0 }; ///< unpacked bytes before the voxels
 
-  /** Of uncompressed voxels that lie in several places or files, one after the other; empty: they lie in one place. */
+  /** Where uncompressed voxels lie, when they are in several places or files, one after the other; empty: in one
+   * place. */
   std::vector<itk::MedialVoxelFileSegment> segments;
   bool                      liesInRows{ true }; ///< so that several threads read it at once; not in tiles or chunks
   std::optional<ValueScale> scale;              ///< of the numbers in the file; none: they are the values
@@ -148,7 +149,7 @@ struct VolumeHeader
    */
   std::shared_ptr<VoxelSource> unpacked;
 
-  /** Of a volume whose slices are images of their own. */
+  /** The slices of a volume whose slices are images of their own. */
   std::shared_ptr<const SliceSeries> series;
 
   /** Assumptions and choices made while the header was read. */
@@ -169,7 +170,7 @@ struct VolumeHeader
     return geometry.GetNumberOfVoxels() * GetTraits(pixelType).bytes;
   }
 
-  /** Of the values that are read, while pixelType is that of the numbers in the file. */
+  /** The type of the values that are read; pixelType is the type of the numbers in the file. */
   PixelType
   GetValueType() const
   {

@@ -18,7 +18,7 @@ struct VoxelLayout
   PixelType    pixelType{ PixelType::UInt8 };
   unsigned int components{ 1 };
 
-  /** Of labels with names, for formats that have these. It must outlive the volume. */
+  /** Names of labels, for formats that have names. Must outlive the volume. */
   const SegmentTable * segments{ nullptr };
 
   std::uint64_t

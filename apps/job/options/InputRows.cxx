@@ -94,7 +94,7 @@ Resampling()
     });
 }
 
-/** Of a headerless file, whose description comes to life with the first option that belongs to it. */
+/** An option of a headerless file; the first one creates its description. */
 OptionValue
 OfRaw(void (*set)(RawDescription &, const std::string &), std::optional<std::string> (*get)(const RawDescription &))
 {

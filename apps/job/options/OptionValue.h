@@ -68,7 +68,7 @@ struct OptionValue
   bool                       isFlag{ false }; ///< takes no word of its own, but a value behind an equals sign
 };
 
-/** Of a part of a structure, by two functions. */
+/** A value that two functions set and get. */
 template <typename TOptions>
 OptionValue
 Value(std::function<void(TOptions &, const std::string &)>        set,
@@ -86,7 +86,7 @@ Value(std::function<void(TOptions &, const std::string &)>        set,
   return value;
 }
 
-/** Of a member. Unset, empty and equal to \a none are as if the option was not given. */
+/** The value of a member. Unset, empty and equal to \a none count as not given. */
 template <typename TOptions, typename TMember, typename TParse, typename TFormat>
 OptionValue
 Value(std::optional<TMember> TOptions::* member, TParse parse, TFormat format)

@@ -30,7 +30,7 @@ WritesZarr(const OptionTarget & target)
   });
 }
 
-/** Of the module, where 0 stands for the default. */
+/** The threads of the module: 0 stands for the default. */
 OptionValue
 ModuleThreads(std::int64_t most)
 {

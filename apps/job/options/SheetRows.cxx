@@ -32,7 +32,7 @@ IsAutomatic(const ExtractOptions & options)
   return !options.thickness;
 }
 
-/** Of the module: -1 stands for the default. */
+/** The pore size of the module: -1 stands for the default. */
 OptionValue
 ModulePoreSize()
 {

@@ -21,7 +21,7 @@ constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 /** Memory for reading the scratch files, by measures and writers, and for their results. */
 constexpr std::uint64_t WritingMemory = 24 * MiB;
 
-/** Of surfaces that are planned for; there are twice as many triangles. */
+/** Planned density of vertices; there are twice as many triangles. */
 constexpr std::uint64_t VoxelsPerVertex = 32;
 
 constexpr const char * RayName = "ray_thickness";

@@ -28,7 +28,7 @@ struct ProductStart
   const JobResult & job;              ///< header and plan
   InputVolume *     input{ nullptr }; ///< null: parts that others found are put together
 
-  // Of the products before.
+  // Set by earlier products.
   const Survey *   survey{ nullptr };
   const Pictures * pictures{ nullptr }; ///< they are drawn at the end
 };

@@ -44,7 +44,7 @@ Make(const ExtractOptions & options, std::string fileName)
   return std::make_unique<TProduct>(options, std::move(fileName));
 }
 
-// Of SurveyProducts.cxx and MeshProducts.cxx.
+// Defined in SurveyProducts.cxx and MeshProducts.cxx.
 extern const ProductRow StatisticsRow, PlaceRow, PictureRow, PageRow, MeshRow;
 
 std::unique_ptr<Product>

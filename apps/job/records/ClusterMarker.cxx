@@ -101,7 +101,7 @@ ReadMarker(const std::filesystem::path & fileName, const Manifest & manifest, st
   }
   catch (const Json::exception &)
   {
-    // Of another form: the same.
+    // Another form is no marker either.
   }
   catch (const std::invalid_argument &)
   {

@@ -101,7 +101,7 @@ FormatColor(const Values & values)
   });
 }
 
-/** Of lengths. */
+/** The unit of lengths. */
 std::string
 DescribeUnit(const Json & result)
 {

@@ -59,7 +59,7 @@ public:
     return m_Numbers;
   }
 
-  /** Of no lengths, all of these are 0. */
+  /** Without lengths, all of these are 0. */
   double
   GetMean() const;
   double

@@ -30,7 +30,7 @@ DescribeObject(const JobOptions & options)
   return lower ? "at least " + lower->Format() : (upper ? "at most " + upper->Format() : "other than 0");
 }
 
-/** Of an input that is so coarse that the sentence behind would seem wrong. */
+/** Names the resampling; without it the warning would seem wrong for a coarse input. */
 std::string
 DescribeResampling(const VolumeHeader & input)
 {

@@ -52,7 +52,7 @@ public:
   void
   Exchange(const LengthHistogram & histogram);
 
-  /** Of a list that is as long at both ends. */
+  /** The size of a list, which must be equal at both ends. */
   void
   ExchangeSize(std::size_t size)
   {

@@ -21,7 +21,7 @@ constexpr const char * Library = "three.js";
 constexpr const char * Controls = "OrbitControls.js";
 constexpr const char * License = "license";
 
-/** Of a point: how far it is from the one before, three places in its block, its thickness. */
+/** Bytes of a point: distance from the one before, three places in its block, its thickness. */
 constexpr std::uint64_t LongestPoint = 5 + 3 + 5;
 
 enum PointCode : std::uint64_t

@@ -50,7 +50,7 @@ public:
   void
   Clear();
 
-  /** Of slices that other slices, before and behind, are to be joined with. */
+  /** Saves slices that will be joined with others, before and behind. */
   void
   Save(NumberWriter & numbers) const;
 

@@ -26,7 +26,7 @@ GetLengthUnit(const itk::MedialVoxelGrid & grid, unsigned int dimension)
   return *std::min_element(spacing.begin(), spacing.begin() + dimension) / LengthUnitsPerVoxel;
 }
 
-/** Of cells of a slice that are planned for: they are new, or of two slices that are open. */
+/** Memory of the planned cells of a slice: new ones, and cells of two open slices. */
 std::uint64_t
 GetPlannedCellMemory(const VolumeGeometry & geometry)
 {

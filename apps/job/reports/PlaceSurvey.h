@@ -52,7 +52,7 @@ class PlaceSurvey : public TileSurvey
 {
 public:
   /** \param areaUnit     areas are multiples of it, in squared units of the grid
-   * \param surplus for the cells of a region, beside those of GetFootprint() */
+   * \param surplus for the cells of a region, beside the memory of GetFootprint() */
   PlaceSurvey(const VolumeGeometry &       geometry,
               const itk::MedialVoxelGrid & grid,
               const PlaceSettings &        settings,
@@ -94,11 +94,11 @@ public:
   void
   Merge(const std::string & bytes) override;
 
-  /** To be called when all is found. */
+  /** Call when all tiles are added. */
   std::vector<PlaceSummary>
   Summarize() const;
 
-  /** Of a run, and its summary. */
+  /** Memory of a run, and of its summary. */
   static ProductFootprint
   GetFootprint(const VolumeGeometry & geometry, const PlaceSettings & settings);
 

@@ -45,7 +45,7 @@ public:
     return m_Height;
   }
 
-  /** Of a point in the picture. */
+  /** The color of a point in the picture. */
   Color
   GetPixel(unsigned int x, unsigned int y) const;
 

@@ -19,7 +19,7 @@ constexpr unsigned int PreviewCaptionHeight = TextHeight + 6;
 /** Where the views of a preview lie, and how large it is: at most about 1600 pixels along the longer side. */
 struct PreviewLayout
 {
-  /** Of the slices across z, y and x and of the projection along z; a volume of two dimensions has one view. */
+  /** Areas of the slices across z, y and x and of the projection along z; a volume of two dimensions has one view. */
   std::vector<Rectangle> areas;
   unsigned int           width{ 0 };
   unsigned int           height{ 0 };

@@ -31,7 +31,7 @@ OverThreads(const std::string & seconds)
   return "{fixed seconds." + seconds + "} s[!threads=1?, summed over {threads} threads]";
 }
 
-/** Of a thickness of the surface of a part. */
+/** The text of a thickness of the surface of a part. */
 std::string
 OfSurface(const std::string & path)
 {
@@ -41,14 +41,14 @@ OfSurface(const std::string & path)
          ".mean?not known anywhere]";
 }
 
-/** Of a count of cells among all candidates. */
+/** The text of a count of cells among all candidates. */
 std::string
 OfCells(const std::string & count)
 {
   return "{count counts." + count + " counts.candidate_cells}";
 }
 
-/** Of the largest place of a kind. */
+/** The text of the largest place of a kind. */
 std::string
 OfPlaces(const std::string & kind, const std::string & side, const std::string & extreme)
 {

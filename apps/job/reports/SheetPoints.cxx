@@ -12,7 +12,7 @@ namespace medialvoxel
 namespace
 {
 
-/** Of the index of a block along an axis in its key. */
+/** Bits of the index of a block along an axis, in its key. */
 constexpr unsigned int  BitsPerAxis = 21;
 constexpr std::uint64_t MostBlocks = std::uint64_t{ 1 } << BitsPerAxis;
 

@@ -29,7 +29,7 @@ public:
   /** Points of a sheet that is shown have about two triangles each. */
   static constexpr std::size_t DefaultBudget = 65536;
 
-  /** Of the cells of a block. */
+  /** Sums over the cells of a block. */
   struct Sums
   {
     std::uint64_t                cells{ 0 };

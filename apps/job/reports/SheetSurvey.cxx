@@ -95,7 +95,7 @@ ForEachPart(const itk::MedialVoxelClassifiedTile & tile,
 class BlocksOfTile
 {
 public:
-  /** Of smaller blocks a tile has too many. */
+  /** A tile has too many smaller blocks. */
   static constexpr unsigned int LeastLevel = 2;
 
   static_assert(sizeof(SheetPoints::Sums) <= SheetSurvey::PerVoxelOfTile << (3 * LeastLevel));
@@ -217,7 +217,7 @@ ProductFootprint
 SheetSurvey::GetFootprint(const VolumeGeometry & geometry)
 {
   const std::uint64_t ofRunAndAll = 2 * SheetPoints::GetBytes(geometry);
-  // Of each number three bytes on the average, and the packed ones.
+  // Three bytes for each number on the average, and the packed ones.
   constexpr std::uint64_t perPoint = 2 * 8 * 3;
   const std::uint64_t     points = std::min<std::uint64_t>(SheetPoints::DefaultBudget, geometry.GetNumberOfVoxels());
   return { ofRunAndAll, perPoint * points, PerVoxelOfTile };

@@ -65,7 +65,7 @@ public:
   void
   Merge(const std::string & bytes) override;
 
-  /** Of a run. */
+  /** Memory of a run. */
   static ProductFootprint
   GetFootprint(const VolumeGeometry & geometry);
 

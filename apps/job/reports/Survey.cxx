@@ -35,7 +35,7 @@ GetBinWidth(const itk::MedialVoxelGrid & grid)
   return GetSmallestSpacing(grid) / BinsPerVoxel;
 }
 
-/** Of the face of a voxel across the axis of the smallest spacing. */
+/** Area of the face of a voxel across the axis of the smallest spacing. */
 double
 GetLargestFace(const itk::MedialVoxelGrid & grid)
 {

@@ -75,15 +75,15 @@ public:
   void
   Merge(const std::string & bytes) override;
 
-  /** Of the walls at the cells that count. Bins are a 64th of the smallest spacing of the grid, areas multiples of
-   * GetAreaUnit(). */
+  /** Sums of the walls at the cells that count. Bins are a 64th of the smallest spacing of the grid, areas multiples
+   * of GetAreaUnit(). */
   const ThicknessSums &
   GetSums() const
   {
     return m_Total.thickness;
   }
 
-  /** Of areas in the sums, in squared units of the lengths; of the longest edge in two dimensions. */
+  /** Unit of areas in the sums, in squared units of the lengths; in two dimensions unit of the longest edge. */
   double
   GetAreaUnit() const
   {

@@ -32,7 +32,7 @@ FormatShare(double share)
   return FormatFixed(100.0 * share, share > 0.0 && share < 0.01 ? 1 : 0) + " %";
 }
 
-/** Of the axes longer than 1, in physical units. */
+/** The smallest spacing of axes longer than 1, in physical units. */
 double
 GetSmallestSpacing(const VolumeGeometry & geometry)
 {
@@ -314,8 +314,8 @@ GetVolumeOfObject(const JobOptions & options, const JobResult & result)
   return volume;
 }
 
-/** Of plates, shells and real parts, the sheet explains 60 to 110 % of the volume; of rods, balls and solids up to a
- * third. */
+/** The sheet explains 60 to 110 % of the volume of plates, shells and real parts, and up to a third of rods, balls
+ * and solids. */
 std::optional<WarningText>
 CheckSheets(const WallFacts & facts)
 {

@@ -42,7 +42,7 @@ struct Job
   template <typename TOptions>
   explicit Job(const TOptions & wanted);
 
-  /** Of a header that was read, without checks. */
+  /** A job on a header that was read, without checks. */
   template <typename TOptions>
   Job(const TOptions & wanted, VolumeHeader header);
 

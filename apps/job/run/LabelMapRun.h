@@ -37,7 +37,7 @@ public:
   static std::uint64_t
   GetUnplannedMemory(const LabelSelection & selection, std::size_t numberOfObjects);
 
-  /** To be added to the engine. */
+  /** Add it to the engine. */
   itk::MedialVoxelTileObserver &
   GetObserver()
   {
@@ -52,7 +52,7 @@ public:
   void
   AddMesh(SheetMesh & mesh);
 
-  /** To be asked when the map is prepared. */
+  /** Ask when the map is prepared. */
   unsigned int
   GetNumberOfPasses() const
   {
@@ -70,7 +70,7 @@ public:
   itk::MedialVoxelSums
   Run(PieceLoop & loop, PieceEngine & engine, const SliceRange & piece, WriteBehind & writer);
 
-  /** Of a report: the passes and all objects. */
+  /** The passes and all objects, for a report. */
   Json
   Summarize() const;
 

@@ -198,7 +198,7 @@ private:
     return m_IsStopped;
   }
 
-  /** Of the set. Results of tiles without object are zero, so that none need be written there. */
+  /** Prepares the buffers of the set. Results of tiles without object are zero and need not be written. */
   void
   PrepareBuffers();
 

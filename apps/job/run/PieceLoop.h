@@ -23,7 +23,7 @@ public:
   /** \param enginesPerPiece engines that each piece is given to, for the progress */
   PieceLoop(const JobPlan & plan, const VolumeHeader & header, unsigned int enginesPerPiece, ProgressSink & sink);
 
-  /** To be handed to the engines. */
+  /** The observer for the engines. */
   PieceObserver
   GetObserver();
 

@@ -36,7 +36,7 @@ struct ProcessState
   std::uint64_t startTime{ 0 };
 };
 
-/** Of a process that this one may see. */
+/** The state of a process that this one may see. */
 std::optional<ProcessState>
 ReadState(int number)
 {

@@ -18,7 +18,8 @@ struct ProcessIdentity
   std::uint64_t startTime{ 0 }; ///< in ticks since the machine was started
 };
 
-/** Of this process; its host is empty where the system does not tell, as in a container without /proc. */
+/** The identity of this process; its host is empty where the system does not report it, as in a container without
+ * /proc. */
 const ProcessIdentity &
 GetThisProcess();
 

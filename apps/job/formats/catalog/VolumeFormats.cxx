@@ -95,7 +95,7 @@ GetFormats()
   return formats;
 }
 
-/** Of folders and patterns of images, each of which is a slice. */
+/** The format of folders and patterns of images, each of which is a slice. */
 const VolumeFormat &
 GetSeriesFormat()
 {

@@ -14,7 +14,7 @@
 namespace medialvoxel
 {
 
-/** Of headerless files. */
+/** The format of headerless files. */
 const VolumeFormat &
 GetRawFormat();
 

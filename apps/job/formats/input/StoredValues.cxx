@@ -208,7 +208,7 @@ private:
   std::unique_ptr<ValueReader> m_Reader;
 };
 
-/** Of the numbers in a file. */
+/** A reader of the numbers in a file. */
 std::unique_ptr<ValueReader>
 OpenNumbers(const VolumeHeader & header, std::uint64_t bytesToKeep)
 {
@@ -227,7 +227,7 @@ OpenNumbers(const VolumeHeader & header, std::uint64_t bytesToKeep)
   });
 }
 
-/** Of a volume as its file describes it. */
+/** A reader of a volume as its file describes it. */
 std::unique_ptr<ValueReader>
 OpenStoredValues(const VolumeHeader & header, std::uint64_t bytesToKeep)
 {

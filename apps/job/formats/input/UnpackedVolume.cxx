@@ -20,7 +20,7 @@ namespace
 /** Unpacked at once, between two looks whether to stop. */
 constexpr std::uint64_t StepSize = std::uint64_t{ 1 } << 20;
 
-/** Of zeros that are left out. */
+/** Zeros are left out in blocks of this size. */
 constexpr std::uint64_t BlockSize = std::uint64_t{ 1 } << 14;
 
 } // namespace

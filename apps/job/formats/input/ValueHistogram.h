@@ -191,7 +191,7 @@ public:
     }
   }
 
-  /** To be called when all values are added. */
+  /** Call when all values are added. */
   void
   Finish()
   {
@@ -294,7 +294,7 @@ private:
     }
   }
 
-  /** Of a whole number from the least one, which its own type need not hold. */
+  /** Distance of a whole number from the least one, which its own type need not hold. */
   std::uint64_t
   GetOffset(TValue value) const
   {

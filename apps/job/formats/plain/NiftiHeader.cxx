@@ -249,7 +249,7 @@ PlaceByQuaternion(const NiftiNumbers & fields)
   };
 }
 
-/** Of a column. */
+/** Length of a column. */
 double
 GetLength(const Placement & placement, std::size_t axis)
 {

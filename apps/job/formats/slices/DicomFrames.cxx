@@ -114,7 +114,7 @@ public:
     this->ReadOffsets();
   }
 
-  /** Of a frame by itself, of all, or of the file. */
+  /** The text of a frame itself, of all frames, or of the file. */
   std::string
   GetText(std::uint64_t frame, std::uint32_t tag) const
   {

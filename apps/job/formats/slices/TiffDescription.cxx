@@ -47,7 +47,7 @@ ParseUnit(const std::string & unit, TiffDescription & description)
   return millimeters;
 }
 
-/** Of channels and points in time; one of these may be the only one there are. */
+/** Refuses several channels, and several points in time of several slices. */
 std::string
 FindRefusal(const std::optional<std::string> & channels,
             const std::optional<std::string> & times,

@@ -130,7 +130,7 @@ private:
   static int
   DropWarning(TIFF *, void *, const char *, const char *, va_list);
 
-  /** Of unpacked voxels: one bit becomes a byte. */
+  /** Counts unpacked voxels: one bit becomes a byte. */
   std::uint64_t
   GetBytesPerVoxel() const;
 

@@ -146,8 +146,7 @@ struct TiffSpacing
   bool                  inMillimeters{ false };
 };
 
-/** Of numbers in millimeters. Where a unit is not known, all are numbers as they are written, so that their ratios
- * hold. */
+/** The spacing in millimeters. Without a known unit the numbers stay as they are written, so that their ratios hold. */
 TiffSpacing
 GetSpacing(const TiffFile & file, const TiffDescription & description, bool isStack)
 {
@@ -281,7 +280,7 @@ private:
     }
   }
 
-  /** Of a strip, or of a tile, which is whole at the ends of a slice too. */
+  /** Bytes of a strip or tile; tiles are whole at the ends of a slice too. */
   std::uint64_t
   GetBytes(const TiffBands & bands, std::uint64_t strile) const
   {

@@ -14,7 +14,7 @@
 namespace medialvoxel
 {
 
-/** Of an image of a series, whose description may tell of all of them. \throw HeaderError */
+/** The header of an image of a series; its description may cover all of them. \throw HeaderError */
 VolumeHeader
 ReadTiffSliceHeader(const std::filesystem::path & fileName);
 

@@ -16,7 +16,7 @@ namespace medialvoxel
 namespace
 {
 
-/** Of the file beside the header. */
+/** Extension of the file beside the header. */
 constexpr const char * VoxelExtension = ".vol";
 
 constexpr size_t        MaximumBytesPerLine = 1 << 16;

@@ -27,7 +27,7 @@ MakeMrcFormat();
 VolumeFormat
 MakeKeyedFormat();
 
-/** Of folders and patterns of images, each of which is a slice. */
+/** The format of folders and patterns of images, each of which is a slice. */
 VolumeFormat
 MakeSeriesFormat();
 

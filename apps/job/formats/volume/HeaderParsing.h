@@ -8,7 +8,7 @@
 namespace medialvoxel
 {
 
-// Of the library, for all readers of headers.
+// Functions of the library, for all readers of headers.
 using itk::MedialVoxelText::FindDataFile;
 using itk::MedialVoxelText::GetDataFileSize;
 using itk::MedialVoxelText::HeaderError;

@@ -58,11 +58,11 @@ public:
     return {};
   }
 
-  /** To be called before the first slice of a cluster is written, also after one that was given up. */
+  /** Call before the first slice of a cluster is written, also after one that was given up. */
   virtual void
   StartCluster() = 0;
 
-  /** Of the stored bytes written for the cluster. */
+  /** Checksum of the stored bytes written for the cluster. */
   virtual std::uint32_t
   GetChecksum() const = 0;
 

@@ -46,7 +46,7 @@ struct SliceHeader
   std::string                          description;        ///< of the series
   std::uint64_t                        decoderMemory{ 0 }; ///< memory that decoding takes beside the slice
 
-  /** Of DICOM: where the image is in the file. */
+  /** Where the image is in a file of DICOM. */
   std::shared_ptr<const DicomFrame> frame;
   std::uint64_t                     frameNumber{ 0 }; ///< from 1; 0: the file has one image
 

@@ -50,7 +50,7 @@ public:
   virtual std::uint64_t
   GetNumberOfBytesRead() const = 0;
 
-  /** Of the same volume, for another thread. */
+  /** A reader of the same volume, for another thread. */
   virtual std::unique_ptr<ValueReader>
   MakeAnother() const = 0;
 };

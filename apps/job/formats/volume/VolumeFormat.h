@@ -57,8 +57,8 @@ struct VolumeInput
   /** Voxels in chunks, each by itself; instead of makeReader. Its argument: bytes of chunks that may be kept. */
   std::unique_ptr<ValueReader> (*makeChunkReader)(const VolumeHeader &, std::uint64_t){ nullptr };
 
-  /** Of formats whose images are there in several sizes: reads the header of a level, 0 the largest.
-   * \throw JobError Usage, for one that is not there, and as readHeader */
+  /** Reads the header of a level, 0 the largest, in formats of images in several sizes.
+   * \throw JobError Usage, for a missing level, and as readHeader */
   VolumeHeader (*readLevel)(const std::filesystem::path &, unsigned int){ nullptr };
 
   /** Names of the segments of a label map; null: the format has none. \throw HeaderError */
@@ -67,7 +67,7 @@ struct VolumeInput
   /** True for files that the format reads under other extensions; null: never. */
   bool (*isKnown)(const std::filesystem::path &){ nullptr };
 
-  /** Of formats whose volumes are folders: true for a folder of the format. */
+  /** Whether a folder is a volume of the format; null: volumes are files. */
   bool (*isFolder)(const std::filesystem::path &){ nullptr };
 
   /** In place of readHeader, where the options choose among the files that a name stands for. */
@@ -80,7 +80,7 @@ struct VolumeInput
 /** How volumes of a format are written. */
 struct VolumeWriter
 {
-  /** Of folders; null: a volume is a file, or two, with this header. */
+  /** Makes the folder of a volume; null: a volume is a file, or two, with this header. */
   std::unique_ptr<SharedVolume> (*makeFolder)(const std::filesystem::path &, const JobOptions &){ nullptr };
 
   /** The header of a file with voxels in the byte order of this machine; null for folders. Arguments: geometry, layout,

@@ -46,7 +46,7 @@ struct ZarrCodec
                                        std::uint64_t    room);
 };
 
-/** Of a name in the metadata of a version of Zarr, 2 or 3; null for one that is not read. */
+/** The codec of a name in the metadata of version 2 or 3 of Zarr; null for an unknown name. */
 const ZarrCodec *
 FindZarrCodec(const std::string & name, int version);
 

@@ -102,7 +102,7 @@ private:
   const Json & m_Json;
 };
 
-/** Of version 2 and 3. */
+/** Read the metadata of versions 2 and 3. */
 ZarrArray
 ReadZarrArray2(const ZarrFields & fields, unsigned int dimension);
 ZarrArray

@@ -113,7 +113,7 @@ FindGroupFile(const Path & folder)
   return std::filesystem::exists(version3) ? version3 : folder / ".zattrs";
 }
 
-/** Of the containers that bioformats2raw writes: the only image, whose folder is a number. */
+/** The only image in a container of bioformats2raw; its folder is a number. */
 std::optional<Path>
 FindOnlyImage(const Path & folder, const Path & fileName, const Json & metadata)
 {
@@ -171,7 +171,7 @@ ReadGroup(const Path & folder, const Path & fileName, const Json & metadata, uns
   return image;
 }
 
-/** Of an array that is a level of an image: its place in space, which the image has. */
+/** The image that an array is a level of; the image knows its place in space. */
 std::optional<ZarrImage>
 FindImageOf(const Path & array)
 {
