@@ -71,7 +71,7 @@ TEST(SavedSurvey, PartsOfAllPiecesMakeTheWhole)
   Survey     whole = MakeSurvey();
   RunSlices(image, whole, 0, Size);
   ASSERT_GT(whole.GetSums().GetCells().GetTotal(), 0u);
-  ASSERT_GT(whole.GetSums().GetRimCells(), 0u);
+  ASSERT_GT(whole.GetSums().GetUnpairedCells(), 0u);
   for (const std::int64_t slices : { 1, 7, 16, 48 })
   {
     Survey merged = MakeSurvey();
@@ -84,7 +84,7 @@ TEST(SavedSurvey, PartsOfAllPiecesMakeTheWhole)
     }
     EXPECT_EQ(merged.Save(), whole.Save()) << slices;
     EXPECT_EQ(merged.GetSums().GetCells().GetNumbers(), whole.GetSums().GetCells().GetNumbers());
-    EXPECT_EQ(merged.GetSums().GetRimCells(), whole.GetSums().GetRimCells());
+    EXPECT_EQ(merged.GetSums().GetUnpairedCells(), whole.GetSums().GetUnpairedCells());
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
       EXPECT_EQ(merged.GetBestSlice(axis), whole.GetBestSlice(axis));

@@ -34,7 +34,7 @@ MakeSums(const itk::MedialVoxelIndex & cell, std::uint64_t thickness)
   std::copy(cell.begin(), cell.end(), sums.index.begin());
   sums.thickness = thickness;
   sums.measured = thickness > 0 ? 1 : 0;
-  sums.rims = 1 - sums.measured;
+  sums.unpaired = 1 - sums.measured;
   return sums;
 }
 
@@ -60,7 +60,7 @@ MakeCells(unsigned int number)
   return cells;
 }
 
-/** Blocks and sums as (cells, sums of indices, thickness, measured, rims), by z, y, x. */
+/** Blocks and sums as (cells, sums of indices, thickness, measured, unpaired), by z, y, x. */
 using Rows = std::vector<std::tuple<Block, std::uint64_t, Block, std::uint64_t, std::uint64_t, std::uint64_t>>;
 
 Rows
@@ -69,7 +69,7 @@ MakeRows(const SheetPoints & points)
   Rows rows;
   points.ForEachPoint([&](const SheetPoints::Point & point) {
     const SheetPoints::Sums & sums = point.sums;
-    rows.emplace_back(point.block, sums.cells, sums.index, sums.thickness, sums.measured, sums.rims);
+    rows.emplace_back(point.block, sums.cells, sums.index, sums.thickness, sums.measured, sums.unpaired);
   });
   return rows;
 }
@@ -100,7 +100,7 @@ MakeExpectedRows(const std::vector<Cell> & cells, std::size_t budget, unsigned i
   for (const auto & [block, sums] : blocks)
   {
     rows.emplace_back(
-      Block{ { block[2], block[1], block[0] } }, sums.cells, sums.index, sums.thickness, sums.measured, sums.rims);
+      Block{ { block[2], block[1], block[0] } }, sums.cells, sums.index, sums.thickness, sums.measured, sums.unpaired);
   }
   return rows;
 }

@@ -84,7 +84,7 @@ AddCells(const RandomTile & tile, SheetPoints & points)
         const bool isMeasured = !wall->isRim && !wall->isUnresolved;
         sums.thickness = isMeasured ? static_cast<std::uint64_t>(std::llround(wall->thickness / LengthUnit)) : 0;
         sums.measured = isMeasured ? 1 : 0;
-        sums.rims = isMeasured ? 0 : 1;
+        sums.unpaired = isMeasured ? 0 : 1;
         ++wall;
       }
       points.Add(cell, sums);

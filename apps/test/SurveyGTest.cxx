@@ -133,17 +133,17 @@ const std::vector<std::uint64_t> Size{ 150, 41, 37 };
 TEST(Survey, AnyCutGivesTheSame)
 {
   const SurveyedRun whole(Size, IsWall);
-  EXPECT_EQ(whole.GetSurvey().GetSums().GetCells().GetTotal() + whole.GetSurvey().GetSums().GetRimCells(),
+  EXPECT_EQ(whole.GetSurvey().GetSums().GetCells().GetTotal() + whole.GetSurvey().GetSums().GetUnpairedCells(),
             whole.GetNumberOfMedialCells());
-  EXPECT_GT(whole.GetSurvey().GetSums().GetRimCells(), 0u);
-  EXPECT_LT(whole.GetSurvey().GetSums().GetRimCells(), whole.GetNumberOfMedialCells() / 4);
+  EXPECT_GT(whole.GetSurvey().GetSums().GetUnpairedCells(), 0u);
+  EXPECT_LT(whole.GetSurvey().GetSums().GetUnpairedCells(), whole.GetNumberOfMedialCells() / 4);
   EXPECT_GT(whole.GetNumberOfMedialCells(), 1000u);
   for (const Cut & cut : { Cut{ 5, 0, 1 }, Cut{ 1, 13, 1 }, Cut{ 3, 0, 4 }, Cut{ 2, 9, 3 } })
   {
     const SurveyedRun other(Size, IsWall, cut);
     EXPECT_EQ(other.GetSurvey().GetSums().GetCells().GetNumbers(), whole.GetSurvey().GetSums().GetCells().GetNumbers());
     EXPECT_EQ(other.GetSurvey().GetSums().GetAreas().GetNumbers(), whole.GetSurvey().GetSums().GetAreas().GetNumbers());
-    EXPECT_EQ(other.GetSurvey().GetSums().GetRimCells(), whole.GetSurvey().GetSums().GetRimCells());
+    EXPECT_EQ(other.GetSurvey().GetSums().GetUnpairedCells(), whole.GetSurvey().GetSums().GetUnpairedCells());
     EXPECT_EQ(other.GetBestSlices(), whole.GetBestSlices());
     const auto & expected = whole.GetSurvey().GetProjection();
     const auto & projection = other.GetSurvey().GetProjection();
@@ -166,7 +166,7 @@ TEST(Survey, AgreesWithTheThicknessOutput)
   filter->GenerateThicknessOn();
   filter->Update();
   LengthHistogram            expected(1.0 / 64);
-  std::uint64_t              rims = 0;
+  std::uint64_t              unpaired = 0;
   std::vector<std::uint32_t> thickest(150 * 41, 0);
   using ThicknessImageType = itk::MedialVoxelImageFilter<ImageType>::ThicknessImageType;
   itk::ImageRegionConstIteratorWithIndex<ThicknessImageType> value(filter->GetThicknessOutput(),
@@ -175,7 +175,7 @@ TEST(Survey, AgreesWithTheThicknessOutput)
   {
     if (value.Get() < 0.0f)
     {
-      ++rims;
+      ++unpaired;
     }
     else if (filter->GetOutput()->GetPixel(value.GetIndex()) >= 2)
     {
@@ -187,7 +187,7 @@ TEST(Survey, AgreesWithTheThicknessOutput)
   }
   EXPECT_GT(expected.GetTotal(), 1000u);
   EXPECT_EQ(survey.GetSums().GetCells().GetNumbers(), expected.GetNumbers());
-  EXPECT_EQ(survey.GetSums().GetRimCells(), rims);
+  EXPECT_EQ(survey.GetSums().GetUnpairedCells(), unpaired);
   for (std::size_t i = 0; i < thickest.size(); ++i)
   {
     EXPECT_EQ(survey.GetProjection()[i].thickest, thickest[i]) << i;
@@ -315,7 +315,7 @@ TEST(Survey, CellsThatAMapMeasuresDoNotCount)
   filter->Update();
   EXPECT_EQ(survey.GetSums().GetCells().GetNumbers(), part.GetSurvey().GetSums().GetCells().GetNumbers());
   EXPECT_EQ(survey.GetSums().GetAreas().GetNumbers(), part.GetSurvey().GetSums().GetAreas().GetNumbers());
-  EXPECT_EQ(survey.GetSums().GetRimCells(), part.GetSurvey().GetSums().GetRimCells());
+  EXPECT_EQ(survey.GetSums().GetUnpairedCells(), part.GetSurvey().GetSums().GetUnpairedCells());
   EXPECT_EQ(survey.GetBestSlice(0), part.GetSurvey().GetBestSlice(0));
 }
 

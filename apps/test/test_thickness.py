@@ -67,8 +67,8 @@ class ThicknessTest(ProgramTestCase):
             values = self.map("--thickness-csv", "h.csv", source="block.mha", thickness=3)
             told = self.report["thickness"]
             self.assertEqual({value for value in values if value > 0}, {thickness})
-            self.assertEqual(told["rim_cells"], sum(1 for value in values if value < 0))
-            self.assertGreater(told["rim_cells"], 0)
+            self.assertEqual(told["unpaired_cells"], sum(1 for value in values if value < 0))
+            self.assertGreater(told["unpaired_cells"], 0)
             self.assertEqual((told["minimum"], told["maximum"], told["mean"]), (thickness,) * 3)
             self.assertEqual(len((self.folder / "h.csv").read_text().splitlines()), 2)
 
@@ -93,8 +93,8 @@ class ThicknessTest(ProgramTestCase):
         bins = sorted(int(value / width + 0.5) for value in values if value > 0)
         self.assertGreater(len(bins), 2000)
         self.assertEqual(told["cells"], len(bins))
-        self.assertEqual(told["rim_cells"], sum(1 for value in values if value < 0))
-        self.assertEqual(told["cells"] + told["rim_cells"], sum(1 for label in labels if label >= 2))
+        self.assertEqual(told["unpaired_cells"], sum(1 for value in values if value < 0))
+        self.assertEqual(told["cells"] + told["unpaired_cells"], sum(1 for label in labels if label >= 2))
         self.assertEqual([value != 0 for value in values], [label >= 2 for label in labels])
         self.assertEqual(told["one_cell_of"], 1)
         self.assertIsNone(told["standard_error"])

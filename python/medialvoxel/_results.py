@@ -22,7 +22,7 @@ class Medial:
     labels: np.ndarray
     """uint8: 0 no object, 1 not medial, 2 medial by the bound, 3 medial by the search."""
     thickness: np.ndarray | None
-    """float32: thickness of the wall at medial cells, negative at rims, 0 elsewhere; None when switched off."""
+    """float32: thickness of the wall at medial cells, negative at unpaired cells (rims, junctions), 0 elsewhere; None when switched off."""
     uncertainty: np.ndarray | None
     """float32: half of the interval that holds the thickness in 95 % of the cases; NaN at medial cells where it is not known, 0
     elsewhere; None when not asked for."""

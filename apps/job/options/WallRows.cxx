@@ -55,7 +55,8 @@ AddMaps(std::vector<OptionRow> & rows)
   AddRow(rows, "--thickness-map", "FILE", File(&ExtractOptions::thicknessFile))
     .OfJobs(Extractions, Walls)
     .Help("Thickness of the walls at medial cells",
-          "32-bit real, on the grid of the labels: positive at medial cells, negative at rims, 0 elsewhere.")
+          "32-bit real, on the grid of the labels: positive at medial cells, negative at unpaired ones (rims, "
+          "junctions), 0 elsewhere.")
     .Python(Extract)
     .Slicer({ Outputs, "thicknessMap", "Thickness", "", SlicerOutput("scalar"), "output" });
   AddRow(rows, "--uncertainty-map", "FILE", File(&ExtractOptions::uncertaintyFile))

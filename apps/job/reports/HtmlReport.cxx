@@ -38,7 +38,7 @@ MakeThicknessPicture(const std::string & picture, const std::string & unit)
                              EncodeBase64(picture) +
                              "\">\n<p class=\"muted\">The colors span the 1st to the 99th percentile, in " + unit +
                              "; values outside are clamped. If several cells share a pixel, the thickest is shown. "
-                             "Cells at rims have "
+                             "Unpaired cells have "
                              "no color.</p>\n";
 }
 

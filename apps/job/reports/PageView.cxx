@@ -26,7 +26,7 @@ constexpr std::uint64_t LongestPoint = 5 + 3 + 5;
 
 enum PointCode : std::uint64_t
 {
-  AtRims = 0,
+  Unpaired = 0,
   NotMeasured = 1,
   FirstLength = 2
 };
@@ -48,7 +48,7 @@ GetCode(const SheetPoints::Sums & sums)
   {
     return FirstLength + (sums.thickness + sums.measured / 2) / sums.measured;
   }
-  return sums.rims > 0 ? AtRims : NotMeasured;
+  return sums.unpaired > 0 ? Unpaired : NotMeasured;
 }
 
 /** Where in its block the mean of the cells is along an axis, in 256ths of the edge. */

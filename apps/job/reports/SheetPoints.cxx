@@ -48,7 +48,7 @@ SheetPoints::Sums::Add(const Sums & other)
   }
   thickness += other.thickness;
   measured += other.measured;
-  rims += other.rims;
+  unpaired += other.unpaired;
 }
 
 SheetPoints::SheetPoints(const std::vector<std::uint64_t> & size, std::size_t budget)
@@ -239,7 +239,7 @@ SheetPoints::Save(NumberWriter & numbers) const
     }
     numbers.Add(point.sums.thickness);
     numbers.Add(point.sums.measured);
-    numbers.Add(point.sums.rims);
+    numbers.Add(point.sums.unpaired);
   });
 }
 
@@ -275,7 +275,7 @@ SheetPoints::Merge(NumberReader & numbers)
     }
     sums.thickness = numbers.Get();
     sums.measured = numbers.Get();
-    sums.rims = numbers.Get();
+    sums.unpaired = numbers.Get();
     this->AddAt(block, static_cast<unsigned int>(level), sums);
   }
 }

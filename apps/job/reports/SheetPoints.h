@@ -36,7 +36,7 @@ public:
     std::array<std::uint64_t, 3> index{};        ///< sums of their indices
     std::uint64_t                thickness{ 0 }; ///< sum over cells with a thickness, in a unit of the caller
     std::uint64_t                measured{ 0 };  ///< cells with a thickness
-    std::uint64_t                rims{ 0 };      ///< measured ones of walls without a thickness
+    std::uint64_t                unpaired{ 0 };  ///< measured ones of walls without a thickness
 
     void
     Add(const Sums & other);

@@ -25,7 +25,7 @@ AddWall(const itk::MedialVoxelWall & wall, double lengthUnit, SheetPoints::Sums 
   }
   else
   {
-    ++sums.rims;
+    ++sums.unpaired;
   }
 }
 

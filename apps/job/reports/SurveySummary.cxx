@@ -67,7 +67,7 @@ MakeThickness(const ThicknessSums & sums, const Survey & survey)
   const bool              isKnown = cells.GetTotal() > 0;
   const auto lengthIf = [](bool isLength, double length) { return isLength ? Json(length) : Json(nullptr); };
   return { { "cells", cells.GetTotal() },
-           { "rim_cells", sums.GetRimCells() },
+           { "unpaired_cells", sums.GetUnpairedCells() },
            { "unresolved_cells", sums.GetUnresolvedCells() },
            { "one_cell_of", step },
            { "resolution", cells.GetBinWidth() },

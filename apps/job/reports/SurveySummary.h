@@ -21,7 +21,7 @@ MakePercentiles(const LengthHistogram & histogram, bool areKnown);
 Json
 MakeBins(const LengthHistogram & histogram, double unit);
 
-/** Thickness of the walls at the medial cells that are at no rim, in the units of the job's lengths, for a report.
+/** Thickness of the walls at the paired medial cells, in the units of the job's lengths, for a report.
  * Cells count as much as the area of the sheet in them. Lengths are null without cells.
  * \param sums of all or some of the cells that the survey counts */
 Json

@@ -18,7 +18,7 @@ std::uint64_t
 GetThicknessPreviewMemory(const VolumeGeometry & geometry);
 
 /** Draws a finished thickness map in the views of DrawPreview(): object gray, medial cells in colors from the first to
- * the 99th percentile of the thickness, which the survey has measured at all cells; cells at rims are object. Where
+ * the 99th percentile of the thickness, which the survey has measured at all cells; unpaired cells are object. Where
  * more cells fall together the thickest counts, in the projection the thickest along the ray.
  * \param unit of the lengths, in capital letters */
 Canvas

@@ -18,7 +18,7 @@ ThicknessSums::AddWall(const itk::MedialVoxelWall & wall, const double areaUnit)
 {
   if (wall.isRim)
   {
-    ++m_RimCells;
+    ++m_UnpairedCells;
     return;
   }
   if (wall.isUnresolved)
@@ -49,7 +49,7 @@ ThicknessSums::Add(const ThicknessSums & other)
   m_Cells.Add(other.m_Cells);
   m_Areas.Add(other.m_Areas);
   m_SquaredAreas += other.m_SquaredAreas;
-  m_RimCells += other.m_RimCells;
+  m_UnpairedCells += other.m_UnpairedCells;
   m_Uncertainty.Add(other.m_Uncertainty);
   m_UnresolvedCells += other.m_UnresolvedCells;
 }

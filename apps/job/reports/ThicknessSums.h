@@ -55,9 +55,9 @@ public:
   }
 
   std::uint64_t
-  GetRimCells() const
+  GetUnpairedCells() const
   {
-    return m_RimCells;
+    return m_UnpairedCells;
   }
 
   /** Cells that the blur does not resolve, which no histogram has. */
@@ -86,7 +86,7 @@ public:
     numbers.Exchange(sums.m_Cells);
     numbers.Exchange(sums.m_Areas);
     numbers.Exchange(sums.m_SquaredAreas);
-    numbers.Exchange(sums.m_RimCells);
+    numbers.Exchange(sums.m_UnpairedCells);
     numbers.Exchange(sums.m_Uncertainty);
     numbers.Exchange(sums.m_UnresolvedCells);
   }
@@ -95,7 +95,7 @@ private:
   LengthHistogram m_Cells;
   LengthHistogram m_Areas;             ///< in units
   std::uint64_t   m_SquaredAreas{ 0 }; ///< in units of 1024 by 1024, so that 2^40 cells fit
-  std::uint64_t   m_RimCells{ 0 };
+  std::uint64_t   m_UnpairedCells{ 0 };
   LengthHistogram m_Uncertainty;
   std::uint64_t   m_UnresolvedCells{ 0 };
 };

@@ -5,7 +5,7 @@
 "use strict";
 
 const MedialVoxelSheet = (() => {
-  const NOT_MEASURED = 1; // the code of a point whose cells are left out of the measurement; 0: all of them are at rims
+  const NOT_MEASURED = 1; // the code of a point whose cells are left out of the measurement; 0: all of them are unpaired
   const FIRST_LENGTH = 2;
 
   function decodeBase64(text) {
