@@ -4,7 +4,7 @@
 #define itkMedialVoxelInput_h
 
 #include "itkMedialVoxelEnums.h"
-#include "itkMedialVoxelLimit.h"
+#include "itkMedialVoxelExactNumber.h"
 #include "itkMedialVoxelObjectMap.h"
 #include "itkMedialVoxelRoughness.h"
 #include "itkMedialVoxelScanSurvey.h"

@@ -5,7 +5,7 @@
 
 #include "itkMedialVoxelBits.h"
 #include "itkMedialVoxelGray.h"
-#include "itkMedialVoxelLimit.h"
+#include "itkMedialVoxelExactNumber.h"
 #include "itkMedialVoxelRows.h"
 
 #include <algorithm>

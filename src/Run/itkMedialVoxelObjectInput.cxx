@@ -4,7 +4,7 @@
 
 #include "itkMedialVoxelObjectPredicate.h"
 #include "itkMedialVoxelProgress.h"
-#include "itkMedialVoxelSmoothing.h"
+#include "itkMedialVoxelSmoother.h"
 
 #include <algorithm>
 #include <cassert>

@@ -4,7 +4,7 @@
 
 #include "itkMedialVoxelProgress.h"
 #include "itkMedialVoxelResolutionBand.h"
-#include "itkMedialVoxelSpreadEdges.h"
+#include "itkMedialVoxelNontrivialEdges.h"
 
 #include <algorithm>
 #include <limits>

@@ -14,7 +14,7 @@
 #include "VolumeHeader.h"
 #include "Warning.h"
 
-#include "itkMedialVoxelLimit.h"
+#include "itkMedialVoxelExactNumber.h"
 #include "itkMedialVoxelSums.h"
 
 #include <cstdint>

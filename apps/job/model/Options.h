@@ -8,7 +8,7 @@
 #include "ZarrCompression.h"
 
 #include "itkMedialVoxelEnums.h"
-#include "itkMedialVoxelLimit.h"
+#include "itkMedialVoxelExactNumber.h"
 #include "itkMedialVoxelParameters.h"
 #include "WallMeasure.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "itkMedialVoxelLimit.h"
+#include "itkMedialVoxelExactNumber.h"
 
 #include "itkMedialVoxelText.h"
 

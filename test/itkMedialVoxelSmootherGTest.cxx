@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelRoughness.h"
-#include "itkMedialVoxelSmoothing.h"
+#include "itkMedialVoxelSmoother.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef itkMedialVoxelSmoothing_h
-#define itkMedialVoxelSmoothing_h
+#ifndef itkMedialVoxelSmoother_h
+#define itkMedialVoxelSmoother_h
 
 #include "itkMedialVoxelBits.h"
-#include "itkMedialVoxelLimit.h"
+#include "itkMedialVoxelExactNumber.h"
 #include "itkMedialVoxelObjectPredicate.h"
 #include "itkMedialVoxelRows.h"
 
@@ -372,6 +372,6 @@ private:
 
 } // end namespace itk
 
-#include "itkMedialVoxelSmoothing.hxx"
+#include "itkMedialVoxelSmoother.hxx"
 
 #endif

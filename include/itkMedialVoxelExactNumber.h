@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef itkMedialVoxelLimit_h
-#define itkMedialVoxelLimit_h
+#ifndef itkMedialVoxelExactNumber_h
+#define itkMedialVoxelExactNumber_h
 
 #include "MedialVoxelExport.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef itkMedialVoxelSpreadEdges_h
-#define itkMedialVoxelSpreadEdges_h
+#ifndef itkMedialVoxelNontrivialEdges_h
+#define itkMedialVoxelNontrivialEdges_h
 
 #include "MedialVoxelExport.h"
 
