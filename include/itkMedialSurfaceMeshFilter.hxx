@@ -117,8 +117,8 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GenerateData()
   MeshWriter         writer(mesh, m_GenerateTriangles, m_MarkSides);
   MedialVoxelSurface surface(settings, writer);
   m_LabelFilter->m_TileObservers = { &surface.GetObserver() };
-  MedialSurfaceProgress      progress(*this);
-  const MedialVoxelPollScope scope(progress);
+  MedialSurfaceProgress          progress(*this);
+  const MedialVoxelProgressScope scope(progress);
   try
   {
     this->RunPieces();

@@ -42,14 +42,14 @@ public:
   Reshape(const MedialVoxelBox & box);
 
   /** Set the box and keep the bits that the old box and the new one share; other bits are zero. Memory that has to be
-   * taken for that suffices for \a room too. */
+   * taken for that suffices for \a largestBox too. */
   void
-  Reframe(const MedialVoxelBox & box, const MedialVoxelBox & room);
+  Reframe(const MedialVoxelBox & box, const MedialVoxelBox & largestBox);
 
   /** Set the box, of whose bits none is defined before CopyRows() has set them. Memory that has to be taken for that
-   * suffices for \a room too. */
+   * suffices for \a largestBox too. */
   void
-  Frame(const MedialVoxelBox & box, const MedialVoxelBox & room);
+  Frame(const MedialVoxelBox & box, const MedialVoxelBox & largestBox);
 
   /** Give the rows of the box that \a rows has, in all of their length, the bits that \a source has there; others are
    * zero. Several threads may do so for different rows. */
@@ -58,7 +58,7 @@ public:
 
   /** Bytes that the bits have after a Frame(). */
   std::uint64_t
-  GetBytesToFrame(const MedialVoxelBox & box, const MedialVoxelBox & room) const;
+  GetBytesToFrame(const MedialVoxelBox & box, const MedialVoxelBox & largestBox) const;
 
   /** True when Reframe() needs no memory beside what the bits have, as when a box slides along y or z. */
   bool

@@ -37,7 +37,7 @@ public:
 
   /** Asked in the calling thread of a run, where true stops it; default false. */
   virtual bool
-  IsAbortRequested() const;
+  IsAborted() const;
 
   /** The exception that ends a run that was stopped, by default MedialVoxelAborted. */
   virtual std::exception_ptr

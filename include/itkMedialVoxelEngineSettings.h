@@ -20,11 +20,11 @@ namespace itk
 
 class MedialVoxelTileObserver;
 
-/** \struct MedialVoxelExtraction
+/** \struct MedialVoxelSheetExtraction
  * \brief The task to label the medial cells, and what else is wanted of them.
  * \ingroup MedialVoxel
  */
-struct MedialVoxel_EXPORT MedialVoxelExtraction
+struct MedialVoxel_EXPORT MedialVoxelSheetExtraction
 {
   /** Values of the voxels that are object, one end of which may be infinite, and what they are made of, when that is
    * known. */
@@ -94,7 +94,7 @@ struct MedialVoxel_EXPORT MedialVoxelLocalThickness
 
   /** The extraction whose walls are painted, with its own maximumPoreSize; what else it makes does not count. Without
    * one, the diameters of balls are. */
-  std::optional<MedialVoxelExtraction> walls;
+  std::optional<MedialVoxelSheetExtraction> walls;
 
   /** Largest ratio of the maximum thickness to the smallest spacing, and its default, to the largest. */
   static constexpr double MostVoxels = 256.0;
@@ -108,7 +108,8 @@ struct MedialVoxel_EXPORT MedialVoxelLocalThickness
   GetLargestMaximum(const MedialVoxelGrid & grid);
 };
 
-using MedialVoxelEngineTask = std::variant<MedialVoxelExtraction, MedialVoxelDistanceMap, MedialVoxelLocalThickness>;
+using MedialVoxelEngineTask =
+  std::variant<MedialVoxelSheetExtraction, MedialVoxelDistanceMap, MedialVoxelLocalThickness>;
 
 /** \struct MedialVoxelEngineSettings
  * \brief A task, and how its work is divided, which has no influence on results.

@@ -16,30 +16,30 @@
 namespace itk
 {
 
-/** \class MedialVoxelLimit
+/** \class MedialVoxelExactNumber
  * \brief A limit on pixel values: any double, or any whole number of 64 bits, neither of which the other type holds.
  *
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelLimit
+class MedialVoxel_EXPORT MedialVoxelExactNumber
 {
 public:
   /** May be infinite, and NaN, which no value fulfills. */
-  MedialVoxelLimit(const double value) // NOLINT(google-explicit-constructor): every double is a limit
+  MedialVoxelExactNumber(const double value) // NOLINT(google-explicit-constructor): every double is a limit
     : m_Nearest(value)
   {}
 
   /** Exact for all whole numbers. */
   template <typename TInteger, std::enable_if_t<std::is_integral<TInteger>::value, int> = 0>
-  MedialVoxelLimit(const TInteger value) // NOLINT(google-explicit-constructor): and every integer
-    : MedialVoxelLimit(value < TInteger{},
-                       value < TInteger{} ? std::uint64_t{} - static_cast<std::uint64_t>(value)
-                                          : static_cast<std::uint64_t>(value))
+  MedialVoxelExactNumber(const TInteger value) // NOLINT(google-explicit-constructor): and every integer
+    : MedialVoxelExactNumber(value < TInteger{},
+                             value < TInteger{} ? std::uint64_t{} - static_cast<std::uint64_t>(value)
+                                                : static_cast<std::uint64_t>(value))
   {}
 
   /** The number that the whole \a text is, exactly when it is a whole number of 64 bits; nothing when it is no number,
    * or one beyond 2^53 that has a fraction. */
-  static std::optional<MedialVoxelLimit>
+  static std::optional<MedialVoxelExactNumber>
   Parse(std::string_view text);
 
   /** Text that reads back as the same limit. */
@@ -72,19 +72,19 @@ public:
   }
 
   bool
-  IsAbove(const MedialVoxelLimit & other) const
+  IsAbove(const MedialVoxelExactNumber & other) const
   {
     return m_Nearest > other.m_Nearest || (this->HasSameNearest(other) && m_Rest > other.m_Rest);
   }
 
   friend bool
-  operator==(const MedialVoxelLimit & a, const MedialVoxelLimit & b)
+  operator==(const MedialVoxelExactNumber & a, const MedialVoxelExactNumber & b)
   {
     return a.HasSameNearest(b) && a.m_Rest == b.m_Rest;
   }
 
   friend bool
-  operator!=(const MedialVoxelLimit & a, const MedialVoxelLimit & b)
+  operator!=(const MedialVoxelExactNumber & a, const MedialVoxelExactNumber & b)
   {
     return !(a == b);
   }
@@ -112,10 +112,10 @@ public:
   GetLastValue() const;
 
 private:
-  MedialVoxelLimit(bool isNegative, std::uint64_t magnitude);
+  MedialVoxelExactNumber(bool isNegative, std::uint64_t magnitude);
 
   bool
-  HasSameNearest(const MedialVoxelLimit & other) const
+  HasSameNearest(const MedialVoxelExactNumber & other) const
   {
     return !(m_Nearest < other.m_Nearest) && !(m_Nearest > other.m_Nearest) && !this->IsNotANumber() &&
            !other.IsNotANumber();
@@ -137,7 +137,7 @@ private:
 
 template <typename TInteger>
 int
-MedialVoxelLimit::CompareWithRange(const double whole) const
+MedialVoxelExactNumber::CompareWithRange(const double whole) const
 {
   using Limits = std::numeric_limits<TInteger>;
   // Powers of two are exact in double, where the largest value of a 64-bit type is not.
@@ -150,7 +150,7 @@ MedialVoxelLimit::CompareWithRange(const double whole) const
 
 template <typename TInteger>
 TInteger
-MedialVoxelLimit::AddRest(const double whole) const
+MedialVoxelExactNumber::AddRest(const double whole) const
 {
   using Limits = std::numeric_limits<TInteger>;
   if (whole >= std::ldexp(1.0, Limits::digits))
@@ -164,7 +164,7 @@ MedialVoxelLimit::AddRest(const double whole) const
 
 template <typename TValue>
 std::optional<TValue>
-MedialVoxelLimit::GetFirstValue() const
+MedialVoxelExactNumber::GetFirstValue() const
 {
   static_assert(std::is_integral<TValue>::value, "Other values are compared as doubles.");
   const double whole = std::ceil(m_Nearest);
@@ -178,7 +178,7 @@ MedialVoxelLimit::GetFirstValue() const
 
 template <typename TValue>
 std::optional<TValue>
-MedialVoxelLimit::GetLastValue() const
+MedialVoxelExactNumber::GetLastValue() const
 {
   static_assert(std::is_integral<TValue>::value, "Other values are compared as doubles.");
   const double whole = std::floor(m_Nearest);

@@ -40,7 +40,7 @@ struct MedialVoxel_EXPORT MedialVoxelFeatures
 
   /** Announce displacements of \a number voxels from \a offset on; all others stay zero. */
   void
-  Announce(std::size_t offset, std::size_t number);
+  MarkWritten(std::size_t offset, std::size_t number);
 
   std::size_t
   OffsetOf(std::int64_t x, std::int64_t y, std::int64_t z) const
@@ -61,7 +61,7 @@ private:
     std::size_t number;
   };
 
-  std::vector<Run> m_Announced; ///< in ascending order
+  std::vector<Run> m_Written; ///< in ascending order
 };
 
 } // end namespace itk

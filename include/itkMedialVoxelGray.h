@@ -27,15 +27,16 @@ public:
 
   /** Bytes taken, at most, during and after a Reframe(). */
   std::uint64_t
-  GetBytesToReframe(const MedialVoxelBox & box, const MedialVoxelBox & room) const;
+  GetBytesToReframe(const MedialVoxelBox & box, const MedialVoxelBox & largestBox) const;
 
-  /** Move to \a box and keep the values that both have. Memory that has to be taken suffices for \a room too. */
+  /** Move to \a box and keep the values that both have. Memory that has to be taken suffices for \a largestBox too. */
   void
-  Reframe(const MedialVoxelBox & box, const MedialVoxelBox & room);
+  Reframe(const MedialVoxelBox & box, const MedialVoxelBox & largestBox);
 
-  /** Set the box, of whose values none is defined. Memory that has to be taken for that suffices for \a room too. */
+  /** Set the box, of whose values none is defined. Memory that has to be taken for that suffices for \a largestBox too.
+   */
   void
-  Frame(const MedialVoxelBox & box, const MedialVoxelBox & room);
+  Frame(const MedialVoxelBox & box, const MedialVoxelBox & largestBox);
 
   /** Copy what \a source has of the slices and rows of \a rows. Several threads may do so for different rows. */
   void
@@ -43,7 +44,7 @@ public:
 
   /** Bytes that the values have after a Frame(). */
   std::uint64_t
-  GetBytesToFrame(const MedialVoxelBox & box, const MedialVoxelBox & room) const;
+  GetBytesToFrame(const MedialVoxelBox & box, const MedialVoxelBox & largestBox) const;
 
   /** Bytes that the values have, which may be more than they need after they became fewer. */
   std::uint64_t

@@ -159,14 +159,14 @@ protected:
   }
 
   /** Gray values to measure walls on; none where walls are measured on the object. */
-  std::optional<MedialVoxelExtraction::GrayRange>
+  std::optional<MedialVoxelSheetExtraction::GrayRange>
   GetGrayRange() const
   {
     if (m_Scan.isMask)
     {
       return std::nullopt;
     }
-    return MedialVoxelExtraction::GrayRange{ this->GetLowerThreshold(), this->GetUpperThreshold(), m_Scan.scan };
+    return MedialVoxelSheetExtraction::GrayRange{ this->GetLowerThreshold(), this->GetUpperThreshold(), m_Scan.scan };
   }
 
   /** What ends an execution that is aborted. */

@@ -231,10 +231,10 @@ template <typename TFunction>
 auto
 MedialVoxelImageFilterBase<TInputImage, TOutputImage>::ReadBeforeRun(TFunction && function)
 {
-  Client                     client(*this, 0, 1);
-  PassProgress               progress(client);
-  const MedialVoxelPollScope scope(progress);
-  return function([](double) { MedialVoxelPoll(); });
+  Client                         client(*this, 0, 1);
+  PassProgress                   progress(client);
+  const MedialVoxelProgressScope scope(progress);
+  return function([](double) { MedialVoxelCheckAbort(); });
 }
 
 template <typename TInputImage, typename TOutputImage>

@@ -85,7 +85,7 @@ public:
   }
 
   bool
-  IsAbortRequested() const override
+  IsAborted() const override
   {
     return m_Filter.GetAbortGenerateData();
   }
@@ -114,7 +114,7 @@ public:
   bool
   IsAborted() const override
   {
-    return m_Client.IsAbortRequested();
+    return m_Client.IsAborted();
   }
 
   void
@@ -122,7 +122,7 @@ public:
   {}
 
   void
-  Beat() override
+  UpdateObservers() override
   {
     m_Client.UpdateProgress(0.0f);
   }

@@ -30,9 +30,9 @@ namespace itk
  */
 struct MedialVoxelObjectRule
 {
-  std::optional<MedialVoxelLimit> background{}; ///< all other values are object, whatever the limits are
-  MedialVoxelLimit                lower{ -std::numeric_limits<double>::infinity() };
-  MedialVoxelLimit                upper{ std::numeric_limits<double>::infinity() };
+  std::optional<MedialVoxelExactNumber> background{}; ///< all other values are object, whatever the limits are
+  MedialVoxelExactNumber                lower{ -std::numeric_limits<double>::infinity() };
+  MedialVoxelExactNumber                upper{ std::numeric_limits<double>::infinity() };
 };
 
 /** \class MedialVoxelInput
@@ -167,9 +167,9 @@ public:
   Fill(const MedialVoxelBox & box, const MedialVoxelTargets & targets) override;
 
 private:
-  /** Call function(part, view) in the order of the voxels. */
+  /** Call function(span, view) in the order of the voxels. */
   void
-  ForEachPart(const MedialVoxelBox & box, const MedialVoxelValueSource::PartFunction & function);
+  ForEachSpan(const MedialVoxelBox & box, const MedialVoxelValueSource::SpanFunction & function);
 
   MedialVoxelBox            m_Image;
   std::vector<std::int64_t> m_Labels;

@@ -50,7 +50,7 @@ public:
   SetLowerThreshold(double threshold);
 #else
   virtual void
-  SetLowerThreshold(const MedialVoxelLimit & threshold)
+  SetLowerThreshold(const MedialVoxelExactNumber & threshold)
   {
     this->SetThreshold(m_LowerThreshold, threshold);
   }
@@ -67,7 +67,7 @@ public:
   SetUpperThreshold(double threshold);
 #else
   virtual void
-  SetUpperThreshold(const MedialVoxelLimit & threshold)
+  SetUpperThreshold(const MedialVoxelExactNumber & threshold)
   {
     this->SetThreshold(m_UpperThreshold, threshold);
   }
@@ -196,7 +196,7 @@ private:
   friend class MedialVoxelObjectProperties;
 
   void
-  SetThreshold(MedialVoxelLimit & target, const MedialVoxelLimit & threshold)
+  SetThreshold(MedialVoxelExactNumber & target, const MedialVoxelExactNumber & threshold)
   {
     m_UseObjectValue = false;
     if (!m_UseThresholds || target != threshold)
@@ -207,14 +207,14 @@ private:
     }
   }
 
-  InputPixelType   m_BackgroundValue{};
-  MedialVoxelLimit m_LowerThreshold{ -std::numeric_limits<double>::infinity() };
-  MedialVoxelLimit m_UpperThreshold{ std::numeric_limits<double>::infinity() };
-  bool             m_UseThresholds{ false };
-  InputPixelType   m_ObjectValue{};
-  bool             m_UseObjectValue{ false };
-  bool             m_UseImageSpacing{ true };
-  SizeValueType    m_WorkingMemoryLimit{ 0 };
+  InputPixelType         m_BackgroundValue{};
+  MedialVoxelExactNumber m_LowerThreshold{ -std::numeric_limits<double>::infinity() };
+  MedialVoxelExactNumber m_UpperThreshold{ std::numeric_limits<double>::infinity() };
+  bool                   m_UseThresholds{ false };
+  InputPixelType         m_ObjectValue{};
+  bool                   m_UseObjectValue{ false };
+  bool                   m_UseImageSpacing{ true };
+  SizeValueType          m_WorkingMemoryLimit{ 0 };
 };
 
 } // end namespace itk

@@ -255,7 +255,7 @@ MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::GetTask(const MedialVo
   if (this->GetGenerateThickness())
   {
     // Of a tile, until its cells have their objects.
-    std::get<MedialVoxelExtraction>(task).observerBytesPerVoxel += sizeof(float);
+    std::get<MedialVoxelSheetExtraction>(task).observerBytesPerVoxel += sizeof(float);
   }
   return task;
 }

@@ -25,7 +25,7 @@ public:
 /** \class MedialVoxelProgress
  * \brief What long work asks and tells, from any thread.
  *
- * Kernels call MedialVoxelPoll() in each loop that can be long; a MedialVoxelPollScope says whom that asks.
+ * Kernels call MedialVoxelCheckAbort() in each loop that can be long; a MedialVoxelProgressScope says whom that asks.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelProgress
@@ -43,7 +43,7 @@ public:
 
   /** A sign of life of a thread, ten times a second while it polls. May call observers; does nothing by default. */
   virtual void
-  Beat();
+  UpdateObservers();
 
   /** Throws what ends aborted work, by default MedialVoxelAborted. */
   [[noreturn]] virtual void
@@ -64,26 +64,26 @@ public:
   Advance(std::uint64_t voxels) override;
 };
 
-/** \class MedialVoxelPollScope
- * \brief Names the progress that MedialVoxelPoll() asks in this thread until the end of the scope.
+/** \class MedialVoxelProgressScope
+ * \brief Names the progress that MedialVoxelCheckAbort() asks in this thread until the end of the scope.
  *
  * An inner scope hides an outer one.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelPollScope
+class MedialVoxel_EXPORT MedialVoxelProgressScope
 {
 public:
   /** \a progress must outlive the scope. */
-  explicit MedialVoxelPollScope(MedialVoxelProgress & progress);
-  ~MedialVoxelPollScope();
+  explicit MedialVoxelProgressScope(MedialVoxelProgress & progress);
+  ~MedialVoxelProgressScope();
 
-  MedialVoxelPollScope(const MedialVoxelPollScope &) = delete;
-  MedialVoxelPollScope &
-  operator=(const MedialVoxelPollScope &) = delete;
+  MedialVoxelProgressScope(const MedialVoxelProgressScope &) = delete;
+  MedialVoxelProgressScope &
+  operator=(const MedialVoxelProgressScope &) = delete;
 
 private:
   MedialVoxelProgress *                 m_OuterProgress;
-  std::chrono::steady_clock::time_point m_OuterNextBeat;
+  std::chrono::steady_clock::time_point m_OuterNextUpdate;
 };
 
 /** Asks the progress of this thread whether to go on, and gives it a sign of life when a tenth of a second has passed.
@@ -91,26 +91,26 @@ private:
  * \ingroup MedialVoxel
  */
 MedialVoxel_EXPORT void
-MedialVoxelPoll();
+MedialVoxelCheckAbort();
 
-/** \class MedialVoxelPollCounter
+/** \class MedialVoxelAbortChecker
  * \brief Polls now and then in a loop whose steps are too short to poll in each.
  * \ingroup MedialVoxel
  */
-class MedialVoxelPollCounter
+class MedialVoxelAbortChecker
 {
 public:
   /** Steps between two polls. At a tenth of a microsecond for each step, half a millisecond passes. */
-  static constexpr std::uint32_t StepsPerPoll = 4096;
+  static constexpr std::uint32_t StepsPerCheck = 4096;
 
   void
   Count(const std::uint32_t steps = 1)
   {
     m_Steps += steps;
-    if (m_Steps >= StepsPerPoll)
+    if (m_Steps >= StepsPerCheck)
     {
       m_Steps = 0;
-      MedialVoxelPoll();
+      MedialVoxelCheckAbort();
     }
   }
 

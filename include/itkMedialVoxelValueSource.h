@@ -26,7 +26,7 @@ public:
   using Boxes = std::vector<MedialVoxelBox>;
   using Work = std::function<void(const MedialVoxelBox &)>;
   using ViewFunction = std::function<void(const MedialVoxelValueView &)>;
-  using PartFunction = std::function<void(const MedialVoxelBox &, const MedialVoxelValueView &)>;
+  using SpanFunction = std::function<void(const MedialVoxelBox &, const MedialVoxelValueView &)>;
 
   virtual ~MedialVoxelValueSource();
 
@@ -50,15 +50,15 @@ public:
   virtual void
   WithBox(const MedialVoxelBox & box, const ViewFunction & function) = 0;
 
-  /** Call \a function(part, view) for parts of \a box that are best read each by itself; by default those of
-   * CutIntoParts(). */
+  /** Call \a function(span, view) for spans of \a box that are best read each by itself; by default those of
+   * CutIntoSpans(). */
   virtual void
-  ForEachPart(const MedialVoxelBox & box, const PartFunction & function);
+  ForEachSpan(const MedialVoxelBox & box, const SpanFunction & function);
 
-  /** Parts of \a box of about a megabyte, in the order of the voxels, of which each follows the one before.
-   * \param bytesPerVoxel of what is held of a part */
+  /** Spans of \a box of about a megabyte, in the order of the voxels, of which each follows the one before.
+   * \param bytesPerVoxel of what is held of a span */
   virtual Boxes
-  CutIntoParts(const MedialVoxelBox & box, std::size_t bytesPerVoxel) const;
+  CutIntoSpans(const MedialVoxelBox & box, std::size_t bytesPerVoxel) const;
 
   /** Do \a work for each of the boxes, by default one after the other.
    * \param mostThreads that do so at a time; 0 is without limit */

@@ -295,11 +295,11 @@ TEST(MedialVoxelSmallComponents, ProgressMayStopTheChange)
       return true;
     }
   };
-  const Volume                 volume = VolumeWithPores({ { 20, 20, 20 } }, UnitSpacing, 6, 850);
-  VolumeSource                 source(volume);
-  itk::MedialVoxelMovingWindow window(GridOf(volume), Background, false, false, 6);
-  const auto                   sites = MakeBox({ { 5, 5, 5 } }, { { 9, 9, 9 } });
-  StoppedProgress              progress;
-  itk::MedialVoxelPollScope    scope(progress);
+  const Volume                  volume = VolumeWithPores({ { 20, 20, 20 } }, UnitSpacing, 6, 850);
+  VolumeSource                  source(volume);
+  itk::MedialVoxelMovingWindow  window(GridOf(volume), Background, false, false, 6);
+  const auto                    sites = MakeBox({ { 5, 5, 5 } }, { { 9, 9, 9 } });
+  StoppedProgress               progress;
+  itk::MedialVoxelProgressScope scope(progress);
   EXPECT_THROW(window.MoveTo(sites, sites, source), itk::MedialVoxelAborted);
 }

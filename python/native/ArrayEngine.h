@@ -20,7 +20,7 @@ namespace medialvoxel
 {
 
 /** Gray values that walls are measured on; without, it is the object. */
-using GrayRange = itk::MedialVoxelExtraction::GrayRange;
+using GrayRange = itk::MedialVoxelSheetExtraction::GrayRange;
 
 /** How walls are measured, and the words of the report for it. */
 struct ArrayMeasure
@@ -66,8 +66,8 @@ public:
   auto
   ReadBeforeRun(TFunction && function)
   {
-    const itk::MedialVoxelPollScope scope(*this);
-    return function([](double) { itk::MedialVoxelPoll(); });
+    const itk::MedialVoxelProgressScope scope(*this);
+    return function([](double) { itk::MedialVoxelCheckAbort(); });
   }
 
   /** How the walls of a prepared object are measured.
@@ -118,9 +118,7 @@ private:
   void
   UpdateProgress(float fraction) override;
 
-  bool
-  IsAbortRequested() const override;
-
+  /** For both bases. */
   bool
   IsAborted() const override;
 

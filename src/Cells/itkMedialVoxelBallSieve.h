@@ -43,7 +43,7 @@ public:
   {
     MedialVoxelBox                   box;    // of the blocks
     std::vector<std::vector<double>> layers; // of values of blocks, by the blocks that balls reach; 0: of the survey
-    std::vector<double>              spread;
+    std::vector<double>              copy;
   };
 
   explicit MedialVoxelBallSieve(const MedialVoxelGrid & grid);

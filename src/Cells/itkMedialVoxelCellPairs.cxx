@@ -178,13 +178,13 @@ MedialVoxelCellPairs::FindWidest(const WordType asked, MedialVoxelCells & cells)
 }
 
 WordType
-MedialVoxelCellPairs::Spread(MedialVoxelCells & cells) const
+MedialVoxelCellPairs::FindNontrivial(MedialVoxelCells & cells) const
 {
-  const WordType spread = m_HasCornerRows && m_Epsilon > m_Grid.GetLongestEdge()
-                            ? MedialVoxelSpreadCells(cells.corners, cells.candidates, cells.number)
-                            : cells.candidates;
-  this->FindWidest(spread, cells);
-  return spread;
+  const WordType nontrivial = m_HasCornerRows && m_Epsilon > m_Grid.GetLongestEdge()
+                                ? MedialVoxelNontrivialCells(cells.corners, cells.candidates, cells.number)
+                                : cells.candidates;
+  this->FindWidest(nontrivial, cells);
+  return nontrivial;
 }
 
 /** Offset of the features at a corner of the cell whose lower corner has \a offset. */

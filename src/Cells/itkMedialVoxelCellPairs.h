@@ -108,10 +108,10 @@ public:
 
   /** The candidates that may have a diagonal that is not trivial; finds the widest diagonals of these. */
   MedialVoxelBits::WordType
-  Spread(MedialVoxelCells & cells) const;
+  FindNontrivial(MedialVoxelCells & cells) const;
 
-  /** The diagonal of the cell \a x after the first, one of those of Spread(); false when its pair is trivial or there
-   * is none. */
+  /** The diagonal of the cell \a x after the first, one of those of FindNontrivial(); false when its pair is trivial or
+   * there is none. */
   bool
   Choose(const MedialVoxelFeatures & features,
          const MedialVoxelCells &    cells,

@@ -108,10 +108,10 @@ MedialVoxelClassifier::ClassifyEach(const MedialVoxelTileInput &         input,
                                     MedialVoxelPairDecision::Workspace & workspace,
                                     MedialVoxelTileLabels &              labels) const
 {
-  MedialVoxelBox         missing;
-  MedialVoxelPollCounter poll;
+  MedialVoxelBox          missing;
+  MedialVoxelAbortChecker checker;
   m_Pairs.Visit(input.corners, input.features, labels.GetTile(), [&](MedialVoxelCells & cells) {
-    poll.Count(static_cast<std::uint32_t>(cells.number));
+    checker.Count(static_cast<std::uint32_t>(cells.number));
     return this->ClassifyCells(input, cells, workspace, labels, missing);
   });
   return missing;
@@ -125,11 +125,11 @@ MedialVoxelClassifier::ClassifyCells(const MedialVoxelTileInput &         input,
                                      MedialVoxelTileLabels &              labels,
                                      MedialVoxelBox &                     missing) const
 {
-  const WordType spread = m_Pairs.Spread(cells);
-  labels.AddCandidates(cells.first, cells.candidates, spread);
+  const WordType nontrivial = m_Pairs.FindNontrivial(cells);
+  labels.AddCandidates(cells.first, cells.candidates, nontrivial);
   const std::size_t          offset = labels.OffsetOf(cells.first);
   MedialVoxelDiagonalNumbers diagonals;
-  for (WordType rest = spread; rest != 0; rest &= rest - 1)
+  for (WordType rest = nontrivial; rest != 0; rest &= rest - 1)
   {
     const int           x = MedialVoxelLowestBit(rest);
     MedialVoxelDiagonal widest;

@@ -21,7 +21,7 @@ namespace
 constexpr double ThicknessOfFlood = 5.0;
 
 /** Steps along each axis between the points of most cells beside a sheet. */
-constexpr std::int64_t ShortWay = 2;
+constexpr std::int64_t ShortSteps = 2;
 
 /** Cells whose own ball would set less than this share of their threshold are probably in a branch of a wall. */
 constexpr double LargestBranch = 0.85;
@@ -69,7 +69,7 @@ MedialVoxelJointClassifier::Classify(const MedialVoxelTileInput & input,
   this->BoundCells(input, workspace, labels);
   m_Threshold.RaiseRadii(workspace.m_Threshold);
   this->LabelAtOnce(sites, workspace, labels);
-  this->LeaveOutBranches(sites, workspace, labels);
+  this->LabelBranches(sites, workspace, labels);
   const MedialVoxelBox missing =
     m_Separation.FindSeparated(sites, input.progress, workspace.m_Separation, workspace.m_Queries);
   if (missing.IsEmpty())
@@ -82,13 +82,13 @@ MedialVoxelJointClassifier::Classify(const MedialVoxelTileInput & input,
 /** Decide a query when the pairs of neighbors suffice. */
 bool
 MedialVoxelJointClassifier::DecideByNeighbors(const MedialVoxelBits & sites,
-                                              const Way               way,
+                                              const NeighborReach     reach,
                                               const Query &           query,
                                               Workspace &             workspace,
                                               MedialVoxelTileLabels & labels) const
 {
   Cell & cell = workspace.m_Cells[query.cell];
-  this->FollowNeighbors(workspace, sites, way, query.epsilon, cell);
+  this->FollowNeighbors(workspace, sites, reach, query.epsilon, cell);
   const bool reaches = cell.bounds.Reach(query.epsilon);
   if (!reaches && !cell.bounds.FallShortOf(query.epsilon))
   {
@@ -110,9 +110,9 @@ MedialVoxelJointClassifier::SortInwards(const Workspace &   workspace,
 
 /** Decide the cells of branches that follow others; branches are in walls that are thicker than they are. */
 void
-MedialVoxelJointClassifier::LeaveOutBranches(const MedialVoxelBits & sites,
-                                             Workspace &             workspace,
-                                             MedialVoxelTileLabels & labels) const
+MedialVoxelJointClassifier::LabelBranches(const MedialVoxelBits & sites,
+                                          Workspace &             workspace,
+                                          MedialVoxelTileLabels & labels) const
 {
   auto &     queries = workspace.m_Queries;
   const auto isInSheet = [&](const Query & query) {
@@ -120,10 +120,10 @@ MedialVoxelJointClassifier::LeaveOutBranches(const MedialVoxelBits & sites,
   };
   const auto branches = std::partition(queries.begin(), queries.end(), isInSheet);
   SortInwards(workspace, branches, queries.end());
-  MedialVoxelPollCounter poll;
-  const auto             isDecided = [&](const Query & query) {
-    poll.Count();
-    return this->DecideByNeighbors(sites, Way::Edges, query, workspace, labels);
+  MedialVoxelAbortChecker checker;
+  const auto              isDecided = [&](const Query & query) {
+    checker.Count();
+    return this->DecideByNeighbors(sites, NeighborReach::OneEdge, query, workspace, labels);
   };
   queries.erase(std::remove_if(branches, queries.end(), isDecided), queries.end());
 }
@@ -140,20 +140,20 @@ MedialVoxelJointClassifier::Search(const MedialVoxelTileInput & input,
     std::partition(queries.begin(), queries.end(), [](const Query & query) { return query.isSeparated; });
   std::for_each(queries.begin(), joined, [&](const Query & query) {
     Cell & cell = workspace.m_Cells[query.cell];
-    cell.bounds.Narrow(query.bounds);
+    cell.bounds.Tighten(query.bounds);
     labels.Decide(cell.label, MedialVoxelLabel::MedialByGeodesic);
   });
   SortInwards(workspace, joined, queries.end());
-  MedialVoxelPollCounter poll;
+  MedialVoxelAbortChecker checker;
   for (auto query = joined; query != queries.end() && !input.progress.IsAborted(); ++query)
   {
-    poll.Count();
-    if (!this->DecideByNeighbors(sites, Way::Edges, *query, workspace, labels) &&
-        !this->DecideByNeighbors(sites, Way::TwoEdges, *query, workspace, labels))
+    checker.Count();
+    if (!this->DecideByNeighbors(sites, NeighborReach::OneEdge, *query, workspace, labels) &&
+        !this->DecideByNeighbors(sites, NeighborReach::TwoEdges, *query, workspace, labels))
     {
       Cell &     cell = workspace.m_Cells[query->cell];
       const bool reaches = m_Separation.Reaches(sites, *query, workspace.m_Separation);
-      cell.bounds.Narrow(query->bounds);
+      cell.bounds.Tighten(query->bounds);
       labels.Decide(cell.label, reaches ? MedialVoxelLabel::MedialByGeodesic : MedialVoxelLabel::NonMedial);
     }
   }
@@ -166,11 +166,11 @@ MedialVoxelJointClassifier::LabelAtOnce(const MedialVoxelBits & sites,
                                         MedialVoxelTileLabels & labels) const
 {
   workspace.m_Queries.clear();
-  MedialVoxelPollCounter poll;
-  std::size_t            waiting = 0;
+  MedialVoxelAbortChecker checker;
+  std::size_t             waiting = 0;
   for (std::size_t i = 0; i < workspace.m_Cells.size(); ++i)
   {
-    poll.Count();
+    checker.Count();
     Cell & cell = workspace.m_Cells[i];
     if (!cell.isWaiting)
     {
@@ -246,17 +246,17 @@ MedialVoxelJointClassifier::Collect(const MedialVoxelTileInput & input,
   workspace.m_Ranks.Reshape(tile);
   workspace.m_Cells.clear();
   workspace.m_Pairs.clear();
-  MedialVoxelPollCounter poll;
-  const auto             visit = [&](MedialVoxelCells & cells) {
-    poll.Count(static_cast<std::uint32_t>(cells.number));
-    const MedialVoxelBits::WordType spread = m_Pairs.Spread(cells);
+  MedialVoxelAbortChecker checker;
+  const auto              visit = [&](MedialVoxelCells & cells) {
+    checker.Count(static_cast<std::uint32_t>(cells.number));
+    const MedialVoxelBits::WordType nontrivial = m_Pairs.FindNontrivial(cells);
     const MedialVoxelBits::WordType inTile = CellsWithin(tile, cells);
     if (inTile != 0)
     {
-      labels.AddCandidates(cells.first, inTile, spread);
+      labels.AddCandidates(cells.first, inTile, nontrivial);
     }
     MedialVoxelDiagonalNumbers diagonals;
-    for (auto rest = spread; rest != 0; rest &= rest - 1)
+    for (auto rest = nontrivial; rest != 0; rest &= rest - 1)
     {
       const int           x = MedialVoxelLowestBit(rest);
       const bool          isInTile = ((inTile >> x) & 1u) != 0;
@@ -327,10 +327,12 @@ MedialVoxelJointClassifier::AddCell(const MedialVoxelIndex &      center,
 /** Decide a cell whose points are near each other, if they are also along the boundary: most such cells lie beside a
  * sheet, which no block can tell. */
 bool
-MedialVoxelJointClassifier::LeaveOut(const MedialVoxelBits & sites, Cell & cell, MedialVoxelTileLabels & labels) const
+MedialVoxelJointClassifier::LabelShortPair(const MedialVoxelBits & sites,
+                                           Cell &                  cell,
+                                           MedialVoxelTileLabels & labels) const
 {
   const MedialVoxelDisplacement difference = cell.GetDifference();
-  const auto                    isShort = [](const std::int64_t steps) { return std::abs(steps) <= ShortWay; };
+  const auto                    isShort = [](const std::int64_t steps) { return std::abs(steps) <= ShortSteps; };
   if (!std::all_of(difference.begin(), difference.end(), isShort) ||
       m_Flood.Decide(sites, cell.a, difference) != MedialVoxelBitFlood::Result::FallsShort)
   {
@@ -352,22 +354,22 @@ MedialVoxelJointClassifier::SeparateByBlocks(const MedialVoxelTileInput & input,
   {
     return;
   }
-  const double           way = this->GetWayToEdges(input, labels);
-  MedialVoxelPollCounter poll;
+  const double            margin = this->GetBoundMargin(input, labels);
+  MedialVoxelAbortChecker checker;
   for (Cell & cell : workspace.m_Cells)
   {
-    poll.Count();
-    const bool isLeftOut = this->LeaveOut(*input.window.sites, cell, labels);
-    if (!isLeftOut || way > 0.0)
+    checker.Count();
+    const bool isLabeled = this->LabelShortPair(*input.window.sites, cell, labels);
+    if (!isLabeled || margin > 0.0)
     {
       cell.limit = this->GetLargestEpsilon(cell.center, cell.radius, workspace);
     }
-    cell.epsilon = isLeftOut ? 0.0 : way + cell.limit;
+    cell.epsilon = isLabeled ? 0.0 : margin + cell.limit;
   }
-  m_Blocks.Narrow(*input.window.sites, input.progress, workspace.m_Blocks, workspace.m_Cells);
+  m_Blocks.Tighten(*input.window.sites, input.progress, workspace.m_Blocks, workspace.m_Cells);
   for (Cell & cell : workspace.m_Cells)
   {
-    poll.Count();
+    checker.Count();
     // The bound has its own label, for which the threshold itself must be known.
     if (cell.isWaiting && cell.bounds.Reach(cell.epsilon) &&
         m_Pairs.GetCell().FreeSpaceLength(cell.GetDifference()) < m_Threshold.EpsilonOf(cell.radius))
@@ -388,11 +390,11 @@ MedialVoxelJointClassifier::BoundCells(const MedialVoxelTileInput & input,
   auto & threshold = workspace.m_Threshold;
   threshold.cells.Reshape(labels.GetTile());
   threshold.radii.clear();
-  const double           way = this->GetWayToEdges(input, labels);
-  MedialVoxelPollCounter poll;
+  const double            margin = this->GetBoundMargin(input, labels);
+  MedialVoxelAbortChecker checker;
   for (Cell & cell : workspace.m_Cells)
   {
-    poll.Count();
+    checker.Count();
     if (!cell.isWaiting)
     {
       continue;
@@ -413,7 +415,7 @@ MedialVoxelJointClassifier::BoundCells(const MedialVoxelTileInput & input,
       // What a cell reaches anyway, smaller balls need not raise; the bound has its own label.
       const bool isBounded =
         cell.bounds.shortest > 0.0 && m_Pairs.GetCell().FreeSpaceLength(pair.difference) >= epsilon;
-      const double reached = (cell.bounds.shortest - way) * (1.0 - 3.0 * MedialVoxelResolutionBand);
+      const double reached = (cell.bounds.shortest - margin) * (1.0 - 3.0 * MedialVoxelResolutionBand);
       known = isBounded ? 0.0 : m_Threshold.RadiusBelow(reached);
     }
     threshold.cells.Set(cell.center);

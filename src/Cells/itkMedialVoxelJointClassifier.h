@@ -167,13 +167,13 @@ private:
           Workspace &                   workspace) const;
 
   bool
-  LeaveOut(const MedialVoxelBits & sites, Cell & cell, MedialVoxelTileLabels & labels) const;
+  LabelShortPair(const MedialVoxelBits & sites, Cell & cell, MedialVoxelTileLabels & labels) const;
 
   double
   GetLargestEpsilon(const MedialVoxelIndex & cell, double radius, const Workspace & workspace) const;
 
   double
-  GetWayToEdges(const MedialVoxelTileInput & input, const MedialVoxelTileLabels & labels) const;
+  GetBoundMargin(const MedialVoxelTileInput & input, const MedialVoxelTileLabels & labels) const;
 
   void
   SeparateByBlocks(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;
@@ -200,15 +200,15 @@ private:
   LabelByLength(const MedialVoxelBits & sites, const MedialVoxelPair & pair, double epsilon, Cell & cell) const;
 
   /** How far along the boundary the points of a neighboring cell may lie from those of a cell that follows it. */
-  enum class Way : std::uint8_t
+  enum class NeighborReach : std::uint8_t
   {
-    Edges,    ///< up to one edge from each point
+    OneEdge,  ///< up to one edge from each point
     TwoEdges, ///< up to two, which takes longer to find out
   };
 
   bool
   DecideByNeighbors(const MedialVoxelBits & sites,
-                    Way                     way,
+                    NeighborReach           reach,
                     const Query &           query,
                     Workspace &             workspace,
                     MedialVoxelTileLabels & labels) const;
@@ -217,7 +217,7 @@ private:
   SortInwards(const Workspace & workspace, QueryIterator first, QueryIterator last);
 
   void
-  LeaveOutBranches(const MedialVoxelBits & sites, Workspace & workspace, MedialVoxelTileLabels & labels) const;
+  LabelBranches(const MedialVoxelBits & sites, Workspace & workspace, MedialVoxelTileLabels & labels) const;
 
   void
   Search(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;
@@ -235,14 +235,17 @@ private:
   FindCell(const Workspace & workspace, const MedialVoxelIndex & cell);
 
   double
-  WayTo(const MedialVoxelIndex & a, const MedialVoxelIndex & b, const Cell & cell) const;
+  PathLengthTo(const MedialVoxelIndex & a, const MedialVoxelIndex & b, const Cell & cell) const;
 
   double
-  LongerWayTo(const MedialVoxelBits & sites, const Cell & from, const Cell & to, double most) const;
+  LongerPathLengthTo(const MedialVoxelBits & sites, const Cell & from, const Cell & to, double most) const;
 
   void
-  FollowNeighbors(const Workspace & workspace, const MedialVoxelBits & sites, Way way, double epsilon, Cell & cell)
-    const;
+  FollowNeighbors(const Workspace &       workspace,
+                  const MedialVoxelBits & sites,
+                  NeighborReach           reach,
+                  double                  epsilon,
+                  Cell &                  cell) const;
 
   double
   EdgeBetween(const MedialVoxelIndex & a, const MedialVoxelIndex & b) const;

@@ -16,7 +16,7 @@ namespace
 {
 
 /** Longest edges from the points of a cell to those of most edges of voxels around it. */
-constexpr double WayToEdges = 1.0;
+constexpr double EdgesOfBoundMargin = 1.0;
 
 } // namespace
 
@@ -80,7 +80,9 @@ MedialVoxelJointClassifier::EdgeBetween(const MedialVoxelIndex & a, const Medial
 
 /** At least what the geodesic distances of two pairs differ by: edges from the points of one to those of a cell. */
 double
-MedialVoxelJointClassifier::WayTo(const MedialVoxelIndex & a, const MedialVoxelIndex & b, const Cell & cell) const
+MedialVoxelJointClassifier::PathLengthTo(const MedialVoxelIndex & a,
+                                         const MedialVoxelIndex & b,
+                                         const Cell &             cell) const
 {
   const double straight = this->EdgeBetween(a, cell.a) + this->EdgeBetween(b, cell.b);
   const double crossed = this->EdgeBetween(a, cell.b) + this->EdgeBetween(b, cell.a);
@@ -90,10 +92,10 @@ MedialVoxelJointClassifier::WayTo(const MedialVoxelIndex & a, const MedialVoxelI
 /** Length by which the bounds of cells are to exceed their thresholds, so that they decide pairs beside those of the
  * cells, if observers ask for such. */
 double
-MedialVoxelJointClassifier::GetWayToEdges(const MedialVoxelTileInput &  input,
-                                          const MedialVoxelTileLabels & labels) const
+MedialVoxelJointClassifier::GetBoundMargin(const MedialVoxelTileInput &  input,
+                                           const MedialVoxelTileLabels & labels) const
 {
-  return labels.GetTile().Contains(input.cells) ? 0.0 : WayToEdges * m_Grid.GetLongestEdge();
+  return labels.GetTile().Contains(input.cells) ? 0.0 : EdgesOfBoundMargin * m_Grid.GetLongestEdge();
 }
 
 /** At least the threshold of a cell with a ball of \a radius or 0. */
@@ -160,7 +162,7 @@ MedialVoxelJointClassifier::LookAt(const Workspace &           workspace,
   {
     if (cell != nullptr)
     {
-      pair.bounds.Narrow(cell->bounds, this->WayTo(pair.a, pair.b, *cell));
+      pair.bounds.Tighten(cell->bounds, this->PathLengthTo(pair.a, pair.b, *cell));
       if (pair.bounds.Reach(pair.mostEpsilon) || pair.bounds.FallShortOf(pair.leastEpsilon))
       {
         return;
@@ -198,36 +200,36 @@ MedialVoxelJointClassifier::TwoEdgesBetween(const MedialVoxelBits &  sites,
   return shortest;
 }
 
-/** WayTo() with up to two edges from each of the points; infinite when it exceeds \a most. */
+/** PathLengthTo() with up to two edges from each of the points; infinite when it exceeds \a most. */
 double
-MedialVoxelJointClassifier::LongerWayTo(const MedialVoxelBits & sites,
-                                        const Cell &            from,
-                                        const Cell &            to,
-                                        const double            most) const
+MedialVoxelJointClassifier::LongerPathLengthTo(const MedialVoxelBits & sites,
+                                               const Cell &            from,
+                                               const Cell &            to,
+                                               const double            most) const
 {
   const auto between = [&](const MedialVoxelIndex & i, const MedialVoxelIndex & j) {
     return std::min(this->EdgeBetween(i, j), this->TwoEdgesBetween(sites, i, j));
   };
   for (const bool isCrossed : { false, true })
   {
-    double way = between(from.a, isCrossed ? to.b : to.a);
-    if (way <= most)
+    double length = between(from.a, isCrossed ? to.b : to.a);
+    if (length <= most)
     {
-      way += between(from.b, isCrossed ? to.a : to.b);
+      length += between(from.b, isCrossed ? to.a : to.b);
     }
-    if (way <= most)
+    if (length <= most)
     {
-      return way;
+      return length;
     }
   }
   return std::numeric_limits<double>::infinity();
 }
 
-/** Narrow the bounds of a cell by those of its neighbors, until they decide it. */
+/** Tighten the bounds of a cell by those of its neighbors, until they decide it. */
 void
 MedialVoxelJointClassifier::FollowNeighbors(const Workspace &       workspace,
                                             const MedialVoxelBits & sites,
-                                            const Way               way,
+                                            const NeighborReach     reach,
                                             const double            epsilon,
                                             Cell &                  cell) const
 {
@@ -256,9 +258,9 @@ MedialVoxelJointClassifier::FollowNeighbors(const Workspace &       workspace,
         {
           continue;
         }
-        const double length =
-          way == Way::Edges ? this->WayTo(cell.a, cell.b, neighbor) : this->LongerWayTo(sites, cell, neighbor, most);
-        cell.bounds.Narrow(neighbor.bounds, length);
+        const double length = reach == NeighborReach::OneEdge ? this->PathLengthTo(cell.a, cell.b, neighbor)
+                                                              : this->LongerPathLengthTo(sites, cell, neighbor, most);
+        cell.bounds.Tighten(neighbor.bounds, length);
         if (cell.bounds.FallShortOf(epsilon) || cell.bounds.Reach(epsilon))
         {
           return;

@@ -25,7 +25,7 @@ constexpr std::int32_t Limit = 16;
  * Unsigned, as undefined displacements wrap. */
 template <int VCorner>
 inline std::uint32_t
-Spread(const std::int32_t a, const std::int32_t b)
+NontrivialSign(const std::int32_t a, const std::int32_t b)
 {
   const std::uint32_t difference = static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b);
   return (difference + static_cast<std::uint32_t>(1 + VCorner)) |
@@ -34,10 +34,10 @@ Spread(const std::int32_t a, const std::int32_t b)
 
 /** Sign bits of the cells of a group. */
 MEDIALVOXEL_PART_OF_THEM inline void
-SpreadOfGroup(const MedialVoxelCornerRows & corners,
-              const std::int64_t            begin,
-              const std::int64_t            numberOfCells,
-              std::uint32_t * const         spread)
+NontrivialOfGroup(const MedialVoxelCornerRows & corners,
+                  const std::int64_t            begin,
+                  const std::int64_t            numberOfCells,
+                  std::uint32_t * const         nontrivial)
 {
   const std::int32_t * x[4];
   const std::int32_t * y[4];
@@ -51,13 +51,13 @@ SpreadOfGroup(const MedialVoxelCornerRows & corners,
   for (std::int64_t i = 0; i < numberOfCells; ++i)
   {
     const std::int64_t  j = i + 1;
-    const std::uint32_t alongX = Spread<-1>(x[0][i], x[3][j]) | Spread<1>(x[0][j], x[3][i]) |
-                                 Spread<-1>(x[1][i], x[2][j]) | Spread<1>(x[1][j], x[2][i]);
-    const std::uint32_t alongY = Spread<-1>(y[0][i], y[3][j]) | Spread<-1>(y[0][j], y[3][i]) |
-                                 Spread<1>(y[1][i], y[2][j]) | Spread<1>(y[1][j], y[2][i]);
-    const std::uint32_t alongZ = Spread<-1>(z[0][i], z[3][j]) | Spread<-1>(z[0][j], z[3][i]) |
-                                 Spread<-1>(z[1][i], z[2][j]) | Spread<-1>(z[1][j], z[2][i]);
-    spread[i] = alongX | alongY | alongZ;
+    const std::uint32_t alongX = NontrivialSign<-1>(x[0][i], x[3][j]) | NontrivialSign<1>(x[0][j], x[3][i]) |
+                                 NontrivialSign<-1>(x[1][i], x[2][j]) | NontrivialSign<1>(x[1][j], x[2][i]);
+    const std::uint32_t alongY = NontrivialSign<-1>(y[0][i], y[3][j]) | NontrivialSign<-1>(y[0][j], y[3][i]) |
+                                 NontrivialSign<1>(y[1][i], y[2][j]) | NontrivialSign<1>(y[1][j], y[2][i]);
+    const std::uint32_t alongZ = NontrivialSign<-1>(z[0][i], z[3][j]) | NontrivialSign<-1>(z[0][j], z[3][i]) |
+                                 NontrivialSign<-1>(z[1][i], z[2][j]) | NontrivialSign<-1>(z[1][j], z[2][i]);
+    nontrivial[i] = alongX | alongY | alongZ;
   }
 }
 
@@ -166,9 +166,9 @@ WidestOfGroup(const MedialVoxelCornerRows & corners,
 } // namespace
 
 MEDIALVOXEL_FOR_PROCESSORS std::uint64_t
-                           MedialVoxelSpreadCells(const MedialVoxelCornerRows & corners,
-                                                  const std::uint64_t           cells,
-                                                  const std::int64_t            numberOfCells)
+                           MedialVoxelNontrivialCells(const MedialVoxelCornerRows & corners,
+                                                      const std::uint64_t           cells,
+                                                      const std::int64_t            numberOfCells)
 {
   std::uint64_t result = 0;
   for (std::int64_t begin = 0; begin < numberOfCells; begin += GroupSize)
@@ -177,17 +177,17 @@ MEDIALVOXEL_FOR_PROCESSORS std::uint64_t
     {
       continue;
     }
-    std::uint32_t spread[GroupSize] = {};
+    std::uint32_t nontrivial[GroupSize] = {};
     if (numberOfCells - begin >= GroupSize)
     {
       // A number of cells that is known beforehand makes a loop without remainder.
-      SpreadOfGroup(corners, begin, GroupSize, spread);
+      NontrivialOfGroup(corners, begin, GroupSize, nontrivial);
     }
     else
     {
-      SpreadOfGroup(corners, begin, numberOfCells - begin, spread);
+      NontrivialOfGroup(corners, begin, numberOfCells - begin, nontrivial);
     }
-    result |= GatherSigns(spread) << begin;
+    result |= GatherSigns(nontrivial) << begin;
   }
   return result & cells;
 }

@@ -58,9 +58,9 @@ private:
   class Search;
 
   /** Steps along each axis that end in the object, from a voxel so far from the corners of the cells along an axis, in
-   * metric units; longer ways have no fewer. */
+   * metric units; longer distances have no fewer. */
   MedialVoxelIndex
-  GetSteps(double way) const;
+  GetSteps(double distance) const;
 
   MedialVoxelGrid m_Grid;
   double          m_HalfDiagonal{ 0.0 };

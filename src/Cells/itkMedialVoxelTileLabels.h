@@ -87,15 +87,15 @@ public:
   }
 
   /** Cells of a row with an object corner; they are not medial until they are decided. Those that are not among
-   * \a spread are trivial. */
+   * \a nontrivial are trivial. */
   void
-  AddCandidates(const MedialVoxelIndex & first, WordType candidates, WordType spread);
+  AddCandidates(const MedialVoxelIndex & first, WordType candidates, WordType nontrivial);
 
   /** The diagonals of cells of the last AddCandidates(), which began at \a first. */
   void
   KeepDiagonals(const MedialVoxelIndex & first, const MedialVoxelDiagonalNumbers & diagonals);
 
-  /** One more of the spread cells turns out to be trivial. */
+  /** One more of the nontrivial cells turns out to be trivial. */
   void
   CountTrivialCell()
   {

@@ -175,7 +175,7 @@ private:
   std::int64_t m_Left;
   std::int64_t m_Width;
 
-  MedialVoxelPollCounter m_Poll;
+  MedialVoxelAbortChecker m_Checker;
 };
 
 MedialVoxelDistanceTransform::Search::Search(const MedialVoxelBits &     sites,
@@ -266,7 +266,7 @@ MedialVoxelDistanceTransform::Search::CopyWords(const std::int64_t word)
 void
 MedialVoxelDistanceTransform::Search::SearchColumns(const std::int64_t x)
 {
-  MedialVoxelPoll();
+  MedialVoxelCheckAbort();
   const std::int64_t   rows = m_Area.Extent(1);
   const std::int64_t   slices = m_Tile.Extent(2);
   const std::int64_t   number = rows * Columns;
@@ -321,7 +321,7 @@ MedialVoxelDistanceTransform::Search::SearchRows(const std::int64_t y, const std
     const std::int64_t own = std::min(row, rows - 1);
     lines[row] = m_Lengths.values.data() + m_Lengths.box.OffsetOf({ { m_Area.lower[0], y + own, z } });
   }
-  m_Poll.Count(static_cast<std::uint32_t>(length));
+  m_Checker.Count(static_cast<std::uint32_t>(length));
   std::int32_t * const costs = m_Memory.m_Costs.data();
   for (std::int64_t x = 0; x < length; ++x)
   {

@@ -116,7 +116,7 @@ MedialVoxelFeatureTransform::Compute(const MedialVoxelWindow &         window,
   const bool isThick = m_Grid.HasEqualSpacing() && workspace.m_Slices.reach >= ThickReach;
   for (std::int64_t z = tileBox.lower[2]; z < tileBox.upper[2]; ++z)
   {
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
     const std::uint64_t voxels = this->FindQueries(tile, z);
     if (voxels != 0 && !isThick)
     {
@@ -166,7 +166,7 @@ MedialVoxelFeatureTransform::FindQueries(Tile & tile, const std::int64_t z) cons
       {
         const std::int64_t first = word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(query);
         const int          number = MedialVoxelHighestBit(query) - MedialVoxelLowestBit(query) + 1;
-        tile.features.Announce(tile.features.OffsetOf(first, y, z), static_cast<std::size_t>(number));
+        tile.features.MarkWritten(tile.features.OffsetOf(first, y, z), static_cast<std::size_t>(number));
       }
       voxels += static_cast<std::uint64_t>(MedialVoxelPopulationCount(query));
     }
@@ -190,17 +190,17 @@ MedialVoxelFeatureTransform::SearchNearby(Tile & tile, const std::int64_t z, con
 std::uint64_t
 MedialVoxelFeatureTransform::SearchTable(Tile & tile, const std::int64_t z, const MedialVoxelOffsetTable & table) const
 {
-  const MedialVoxelBox & box = tile.Box();
-  const std::int64_t     end = tile.words * MedialVoxelBits::BitsPerWord;
-  const std::int64_t     firstBit = tile.firstWord * MedialVoxelBits::BitsPerWord;
-  std::uint64_t          left = 0;
-  MedialVoxelPollCounter poll;
+  const MedialVoxelBox &  box = tile.Box();
+  const std::int64_t      end = tile.words * MedialVoxelBits::BitsPerWord;
+  const std::int64_t      firstBit = tile.firstWord * MedialVoxelBits::BitsPerWord;
+  std::uint64_t           left = 0;
+  MedialVoxelAbortChecker checker;
   for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
   {
     const MedialVoxelRemainingRow row{ &tile.Remaining(tile.firstWord, y, z), tile.words };
     for (std::int64_t bit = row.Next(0); bit < end; bit = row.Next(bit + MedialVoxelBits::BitsPerWord))
     {
-      poll.Count(MedialVoxelBits::BitsPerWord);
+      checker.Count(MedialVoxelBits::BitsPerWord);
       const WordType     query = row.Extract(bit);
       const std::int64_t x = firstBit + bit;
       const auto firstLane = static_cast<std::int64_t>(tile.features.OffsetOf(box.lower[0], y, z)) + (x - box.lower[0]);
@@ -238,7 +238,7 @@ MedialVoxelFeatureTransform::BoundRemaining(Tile & tile) const
           block.upper[axis] = std::min(block.lower[axis] + BoundBlockSize, range.upper[axis]);
           center[axis] = (block.lower[axis] + block.upper[axis]) / 2;
         }
-        MedialVoxelPoll();
+        MedialVoxelCheckAbort();
         if (!tile.AnyRemaining(block))
         {
           continue;

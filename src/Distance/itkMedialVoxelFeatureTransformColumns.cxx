@@ -77,7 +77,7 @@ struct MedialVoxelFeatureTransform::ColumnGroup
     MedialVoxelReserve(lines.positionY, range.Extent(1) * search.Extent(2) * lanes);
     for (std::int64_t slice = 0; slice < search.Extent(2) && !tile.IsAborted(); ++slice)
     {
-      MedialVoxelPoll();
+      MedialVoxelCheckAbort();
       this->SearchAlongX(slice);
       this->SearchAlongY(slice);
     }
@@ -128,7 +128,7 @@ struct MedialVoxelFeatureTransform::ColumnGroup
     MedialVoxelReserve(lines.positionZ, lanes);
     for (std::int64_t y = range.lower[1]; y < range.upper[1]; ++y)
     {
-      MedialVoxelPoll();
+      MedialVoxelCheckAbort();
       for (std::int64_t z = range.lower[2]; z < range.upper[2] && !tile.IsAborted(); ++z)
       {
         MedialVoxelSearchOutward(lines.costXY.data() + (y - range.lower[1]) * lanes,

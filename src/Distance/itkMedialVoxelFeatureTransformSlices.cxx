@@ -118,7 +118,7 @@ MedialVoxelFeatureTransform::SliceSearch::VisitSites(const std::int64_t z, TVisi
   const std::int64_t      firstWord = m_Area.lower[0] >> 6;
   const std::int64_t      lastWord = (m_Area.upper[0] - 1) >> 6;
   const std::int64_t      rows = m_Area.Extent(1);
-  MedialVoxelPoll();
+  MedialVoxelCheckAbort();
   for (std::int64_t y = m_Area.lower[1]; y < m_Area.upper[1]; ++y)
   {
     const WordType * const row = sites.GetRow(y, z) - sites.GetFirstWord();
@@ -287,7 +287,7 @@ MedialVoxelFeatureTransform::SliceSearch::SearchAlongY(const std::int64_t z)
   m_Memory.passY.SetLongestRow(m_Area.Extent(1));
   for (std::int64_t group = m_Area.lower[0]; group < m_Area.upper[0]; group += ColumnsAtOnce)
   {
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
     const std::int64_t columns = std::min(ColumnsAtOnce, m_Area.upper[0] - group);
     for (std::int64_t column = 0; column < columns; ++column)
     {
@@ -325,11 +325,11 @@ MedialVoxelFeatureTransform::SliceSearch::SearchAlongX(const std::int64_t z)
   const std::int64_t pitch = m_Area.Extent(0) + ColumnsAtOnce;
   MedialVoxelReserve(m_Memory.found, blocks * BlockSize);
   m_Memory.passX.SetLongestRow(m_Area.Extent(0));
-  MedialVoxelPollCounter poll;
-  double                 largest = 0.0;
+  MedialVoxelAbortChecker checker;
+  double                  largest = 0.0;
   for (std::int64_t y = m_Remaining.lower[1]; y < m_Remaining.upper[1]; ++y)
   {
-    poll.Count(static_cast<std::uint32_t>(m_Area.Extent(0)));
+    checker.Count(static_cast<std::uint32_t>(m_Area.Extent(0)));
     bool any = false;
     for (std::int64_t block = 0; block < blocks; ++block)
     {

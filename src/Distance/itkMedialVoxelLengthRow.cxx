@@ -131,11 +131,11 @@ MedialVoxelLengthRow::AppendDoubtful(const double                spacing,
                                      std::vector<std::int32_t> & squares)
 {
   // More than the rounding of both ways together, of at most five and a half half units.
-  constexpr double       error = 4.0 * std::numeric_limits<double>::epsilon();
-  MedialVoxelPollCounter poll;
+  constexpr double        error = 4.0 * std::numeric_limits<double>::epsilon();
+  MedialVoxelAbortChecker checker;
   for (std::int32_t square = begin; square < end; ++square)
   {
-    poll.Count();
+    checker.Count();
     const double length = std::sqrt(static_cast<double>(square) * (spacing * spacing));
     if (static_cast<float>(length * (1.0 - error)) != static_cast<float>(length * (1.0 + error)))
     {

@@ -21,7 +21,7 @@ namespace
 {
 
 MedialVoxelSlabWalker::Settings
-GetSettingsOf(const MedialVoxelGrid & grid, const MedialVoxelExtraction & extraction)
+GetSettingsOf(const MedialVoxelGrid & grid, const MedialVoxelSheetExtraction & extraction)
 {
   auto settings = MedialVoxelSlabWalker::Settings::ForClassification(
     grid, extraction.parameters, extraction.vectorBoundary == MedialVoxelBoundary::Object);
@@ -100,7 +100,7 @@ GetWalkerSettings(const MedialVoxelGrid & grid, const MedialVoxelEngineSettings 
 }
 
 std::unique_ptr<const MedialVoxelTileTask>
-MakeTask(const MedialVoxelGrid & grid, const MedialVoxelExtraction & extraction)
+MakeTask(const MedialVoxelGrid & grid, const MedialVoxelSheetExtraction & extraction)
 {
   return std::make_unique<const MedialVoxelExtractionTask>(grid, extraction);
 }

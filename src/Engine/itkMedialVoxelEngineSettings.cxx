@@ -10,7 +10,7 @@ namespace itk
 {
 
 void
-MedialVoxelExtraction::AddObserver(MedialVoxelTileObserver & observer)
+MedialVoxelSheetExtraction::AddObserver(MedialVoxelTileObserver & observer)
 {
   observers.push_back(&observer);
   observerBytesPerVoxel += observer.GetWorkerBytesPerVoxel();

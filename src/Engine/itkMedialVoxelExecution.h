@@ -54,7 +54,7 @@ public:
   Advance(std::uint64_t voxels) override;
 
   void
-  Beat() override;
+  UpdateObservers() override;
 
   [[noreturn]] void
   ThrowAborted() const override;
@@ -71,7 +71,7 @@ private:
 
   /** Workers read a copy of what only the calling thread may ask the client. */
   void
-  HearAbort();
+  CheckClient();
 
   /** What each worker does: take work until all is done. */
   void
@@ -92,7 +92,7 @@ private:
 
   template <typename TFunction>
   void
-  StopAllWhenFailing(TFunction && function);
+  AbortOnFailure(TFunction && function);
 
   /** The client takes the result, unless the tile depends on more than the window holds. */
   void

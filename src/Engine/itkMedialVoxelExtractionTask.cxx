@@ -36,8 +36,8 @@ struct MedialVoxelExtractionTask::TileWorkspace : public Workspace
   std::vector<std::unique_ptr<MedialVoxelTileObserver::Workspace>> observers;
 };
 
-MedialVoxelExtractionTask::MedialVoxelExtractionTask(const MedialVoxelGrid &       grid,
-                                                     const MedialVoxelExtraction & settings)
+MedialVoxelExtractionTask::MedialVoxelExtractionTask(const MedialVoxelGrid &            grid,
+                                                     const MedialVoxelSheetExtraction & settings)
   : m_Settings(settings)
   , m_Transform(grid)
   , m_Classifier(grid, settings.parameters)

@@ -20,7 +20,7 @@ namespace itk
 class MedialVoxel_EXPORT MedialVoxelExtractionTask : public MedialVoxelTileTask
 {
 public:
-  MedialVoxelExtractionTask(const MedialVoxelGrid & grid, const MedialVoxelExtraction & settings);
+  MedialVoxelExtractionTask(const MedialVoxelGrid & grid, const MedialVoxelSheetExtraction & settings);
 
   std::unique_ptr<Workspace>
   MakeWorkspace() const override;
@@ -88,7 +88,7 @@ private:
     return m_Settings.vectorBoundary == MedialVoxelBoundary::Object;
   }
 
-  MedialVoxelExtraction                   m_Settings;
+  MedialVoxelSheetExtraction              m_Settings;
   MedialVoxelFeatureTransform             m_Transform;
   MedialVoxelClassifier                   m_Classifier;
   MedialVoxelThickness                    m_Thickness;

@@ -60,11 +60,11 @@ public:
 
   /** Bytes of the window, at most, during and after a MoveTo() that keeps what it can of the old one. */
   std::uint64_t
-  GetBytesToMove(const MedialVoxelBox & sites, const MedialVoxelBox & room) const;
+  GetBytesToMove(const MedialVoxelBox & sites, const MedialVoxelBox & largestSites) const;
 
   /** The same of a move that keeps what it can of another window. */
   std::uint64_t
-  GetBytesToCopy(const MedialVoxelBox & sites, const MedialVoxelBox & room) const;
+  GetBytesToCopy(const MedialVoxelBox & sites, const MedialVoxelBox & largestSites) const;
 
   /** Bytes that the window has. */
   std::uint64_t
@@ -75,14 +75,14 @@ public:
   Clear();
 
   /** Move in one thread so that the boundaries are known in \a sites, a box inside the image. Memory that has to be
-   * taken for that suffices for sites as many as \a room has too. */
+   * taken for that suffices for sites as many as \a largestSites has too. */
   void
-  MoveTo(const MedialVoxelBox & sites, const MedialVoxelBox & room, MedialVoxelObjectSource & source);
+  MoveTo(const MedialVoxelBox & sites, const MedialVoxelBox & largestSites, MedialVoxelObjectSource & source);
 
   /** Begin to move. What \a donor has is copied from there, which stays as it is meanwhile; without one the window
    * keeps what it has itself. */
   void
-  BeginMove(const MedialVoxelBox & sites, const MedialVoxelBox & room, const MedialVoxelMovingWindow * donor);
+  BeginMove(const MedialVoxelBox & sites, const MedialVoxelBox & largestSites, const MedialVoxelMovingWindow * donor);
 
   /** Parts of the window that the source fills, at most \a number and of whole slices, or of rows where there is one
    * slice. Those that need nothing are left out.

@@ -267,7 +267,7 @@ MedialVoxelSlabSchedule::MakeSlab(const MedialVoxelBox &              region,
   slab.box = m_Plan.GetSlab(region, position, slab.cut.slabThickness);
   slab.sites = m_Plan.GetSitesBox(slab.box, slab.cut.halo);
   // Slabs at the ends of the region and of the image have less around them than others.
-  slab.room = m_Plan.LargestSitesBox(region, slab.cut);
+  slab.largestSites = m_Plan.LargestSitesBox(region, slab.cut);
   for (const MedialVoxelBox & part : parts)
   {
     slab.parts.push_back(part.Intersection(slab.box));
@@ -342,7 +342,7 @@ MedialVoxelSlabSchedule::MoveWindow(Slab & slab)
   if (!this->TryWindow(slab, slab.window, hasNothing))
   {
     windows[slab.window].Clear();
-    windows[slab.window].BeginMove(slab.sites, slab.room, nullptr);
+    windows[slab.window].BeginMove(slab.sites, slab.largestSites, nullptr);
   }
   return true;
 }
@@ -353,14 +353,14 @@ MedialVoxelSlabSchedule::TryWindow(Slab & slab, const std::size_t number, const 
 {
   MedialVoxelMovingWindow & window = m_State.windows[number];
   MedialVoxelMovingWindow & other = m_State.windows[1 - number];
-  const std::uint64_t       moved =
-    copies ? window.GetBytesToCopy(slab.sites, slab.room) : window.GetBytesToMove(slab.sites, slab.room);
+  const std::uint64_t       moved = copies ? window.GetBytesToCopy(slab.sites, slab.largestSites)
+                                           : window.GetBytesToMove(slab.sites, slab.largestSites);
   if (!this->IsWithinLimit(slab, moved + other.GetReservedBytes()))
   {
     return false;
   }
   slab.window = number;
-  window.BeginMove(slab.sites, slab.room, copies ? &other : nullptr);
+  window.BeginMove(slab.sites, slab.largestSites, copies ? &other : nullptr);
   return true;
 }
 
@@ -368,14 +368,14 @@ bool
 MedialVoxelSlabSchedule::TryNewWindow(Slab & slab, const std::size_t number)
 {
   Windows &           windows = m_State.windows;
-  const std::uint64_t moved = m_State.old.GetBytesToCopy(slab.sites, slab.room);
+  const std::uint64_t moved = m_State.old.GetBytesToCopy(slab.sites, slab.largestSites);
   if (!this->IsWithinLimit(slab, moved + windows[0].GetReservedBytes() + windows[1].GetReservedBytes()))
   {
     return false;
   }
   slab.window = number;
   std::swap(windows[number], m_State.old);
-  windows[number].BeginMove(slab.sites, slab.room, &m_State.old);
+  windows[number].BeginMove(slab.sites, slab.largestSites, &m_State.old);
   return true;
 }
 
@@ -394,7 +394,7 @@ MedialVoxelSlabSchedule::IsWithinLimit(const Slab & slab, const std::uint64_t by
 std::uint64_t
 MedialVoxelSlabSchedule::BytesOfWorkers(const Slab & slab) const
 {
-  return std::max(m_Plan.BytesOfWorkers(slab.sites, slab.cut), m_Plan.BytesOfWorkers(slab.room, slab.cut));
+  return std::max(m_Plan.BytesOfWorkers(slab.sites, slab.cut), m_Plan.BytesOfWorkers(slab.largestSites, slab.cut));
 }
 
 std::uint64_t
@@ -403,7 +403,7 @@ MedialVoxelSlabSchedule::FindLayout(const Slab & slab)
   Layout layout{ slab.cut.tileSize, {} };
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    layout[1][axis] = std::max(slab.room.Extent(axis), slab.sites.Extent(axis));
+    layout[1][axis] = std::max(slab.largestSites.Extent(axis), slab.sites.Extent(axis));
   }
   if (layout != m_State.lastLayout)
   {

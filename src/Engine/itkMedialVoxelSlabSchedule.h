@@ -126,9 +126,9 @@ private:
     MedialVoxelBox              box;
     Cut                         cut;
     MedialVoxelBox              sites;
-    MedialVoxelBox              room;  // as large as sites of the same region can be
-    std::vector<MedialVoxelBox> parts; // that are to be processed
-    std::vector<MedialVoxelBox> tiles; // of the parts, until they wait
+    MedialVoxelBox              largestSites; // as large as sites of the same region can be
+    std::vector<MedialVoxelBox> parts;        // that are to be processed
+    std::vector<MedialVoxelBox> tiles;        // of the parts, until they wait
     std::size_t                 numberOfTiles{ 0 };
     bool                        wasDeferred{ false };
     std::uint64_t               number{ 0 };

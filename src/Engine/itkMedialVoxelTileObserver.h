@@ -71,7 +71,7 @@ public:
   /** Walls are measured on these gray values, which tiles then have. Called before the first tile of a run; does
    * nothing by default. */
   virtual void
-  MeasureOnGrayValues(const MedialVoxelExtraction::GrayRange & range);
+  MeasureOnGrayValues(const MedialVoxelSheetExtraction::GrayRange & range);
 
   /** True when the observer looks at the thresholds of cells beside a tile; default false. */
   virtual bool

@@ -61,7 +61,7 @@ MedialVoxelBits::Reshape(const MedialVoxelBox & box)
 }
 
 void
-MedialVoxelBits::Reframe(const MedialVoxelBox & box, const MedialVoxelBox & room)
+MedialVoxelBits::Reframe(const MedialVoxelBox & box, const MedialVoxelBox & largestBox)
 {
   if (box == m_Box)
   {
@@ -73,10 +73,10 @@ MedialVoxelBits::Reframe(const MedialVoxelBox & box, const MedialVoxelBox & room
     return;
   }
   MedialVoxelBits result;
-  result.Frame(box, room);
+  result.Frame(box, largestBox);
   for (MedialVoxelBox slice = box; slice.lower[2] < box.upper[2]; ++slice.lower[2])
   {
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
     slice.upper[2] = slice.lower[2] + 1;
     result.CopyRows(*this, slice);
   }
@@ -84,20 +84,21 @@ MedialVoxelBits::Reframe(const MedialVoxelBox & box, const MedialVoxelBox & room
 }
 
 std::uint64_t
-MedialVoxelBits::GetBytesToFrame(const MedialVoxelBox & box, const MedialVoxelBox & room) const
+MedialVoxelBits::GetBytesToFrame(const MedialVoxelBox & box, const MedialVoxelBox & largestBox) const
 {
-  return WordsOfBox(box) <= m_Words.capacity() ? this->GetReservedBytes() : std::max(GetBytes(box), GetBytes(room));
+  return WordsOfBox(box) <= m_Words.capacity() ? this->GetReservedBytes()
+                                               : std::max(GetBytes(box), GetBytes(largestBox));
 }
 
 void
-MedialVoxelBits::Frame(const MedialVoxelBox & box, const MedialVoxelBox & room)
+MedialVoxelBits::Frame(const MedialVoxelBox & box, const MedialVoxelBox & largestBox)
 {
   this->SetBox(box);
   const std::size_t words = WordsOfBox(box);
   if (words > m_Words.capacity())
   {
     Words().swap(m_Words);
-    m_Words.reserve(std::max(words, WordsOfBox(room)));
+    m_Words.reserve(std::max(words, WordsOfBox(largestBox)));
   }
   m_Words.resize(words);
 }

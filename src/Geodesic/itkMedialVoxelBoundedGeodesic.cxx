@@ -274,7 +274,7 @@ MedialVoxelBoundedGeodesic::Search(const MedialVoxelIndex & a,
                                    const MedialVoxelBox &   searchBox,
                                    Workspace &              workspace) const
 {
-  MedialVoxelPoll();
+  MedialVoxelCheckAbort();
   Workspace::Region & region = workspace.GetRegion(searchBox);
   const auto          source = region.graph.NodeOf(a);
   const auto          target = region.graph.NodeOf(b);
@@ -334,10 +334,10 @@ MedialVoxelBoundedGeodesic::ResolveLength(const MedialVoxelBoundaryGraph &      
   std::set<std::pair<NodeType, MedialVoxelEdgeCounts>> known;
   std::vector<PartialPath>                             open{ { a, 0.0, {} } };
   double                                               shortest = MedialVoxelBoundaryDistances::NotReached;
-  MedialVoxelPollCounter                               poll;
+  MedialVoxelAbortChecker                              checker;
   while (!open.empty())
   {
-    poll.Count();
+    checker.Count();
     const PartialPath path = open.back();
     open.pop_back();
     if (path.node == b)

@@ -17,11 +17,11 @@ MedialVoxelBoxComponents::Label(const MedialVoxelBits & boundary, const MedialVo
   m_Box = box;
   m_FirstRun.clear();
   m_Runs.clear();
-  MedialVoxelPollCounter poll;
-  const WordType         columns = MedialVoxelBits::RangeMask(0, 0, box.Extent(0));
+  MedialVoxelAbortChecker checker;
+  const WordType          columns = MedialVoxelBits::RangeMask(0, 0, box.Extent(0));
   for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
   {
-    poll.Count(static_cast<std::uint32_t>(box.Extent(1)));
+    checker.Count(static_cast<std::uint32_t>(box.Extent(1)));
     for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
     {
       const std::size_t row = m_FirstRun.size();

@@ -27,7 +27,7 @@ Fail(HeaderError::Kind kind, const TParts &... parts)
 
 /** A message stays readable however long the values are that a header has. */
 std::string
-LeaveOutMiddle(const std::string & text)
+Shorten(const std::string & text)
 {
   constexpr size_t longest = 400;
   constexpr size_t beginning = 200;
@@ -205,7 +205,7 @@ GetDataFileSize(const std::filesystem::path & headerName, const std::filesystem:
 void
 RefuseHeader(const std::filesystem::path & fileName, const std::string & what, HeaderError::Kind kind)
 {
-  Fail(kind, fileName.string(), ": ", LeaveOutMiddle(what));
+  Fail(kind, fileName.string(), ": ", Shorten(what));
 }
 
 std::string

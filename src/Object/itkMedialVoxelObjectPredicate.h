@@ -55,7 +55,7 @@ public:
 
   /** The values v with lower <= v <= upper. */
   static MedialVoxelObjectPredicate
-  InRange(const MedialVoxelLimit & lower, const MedialVoxelLimit & upper)
+  InRange(const MedialVoxelExactNumber & lower, const MedialVoxelExactNumber & upper)
   {
     MedialVoxelObjectPredicate predicate;
     predicate.m_IsRange = true;

@@ -120,10 +120,10 @@ public:
     const MedialVoxelBox box = seeds.Intersection(inner);
     for (std::int64_t z = box.lower[2]; z < box.upper[2] && !box.IsEmpty(); ++z)
     {
-      MedialVoxelPoll();
+      MedialVoxelCheckAbort();
       for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
       {
-        m_Poll.Count(static_cast<std::uint32_t>(box.Extent(0) / MedialVoxelBits::BitsPerWord + 1));
+        m_Checker.Count(static_cast<std::uint32_t>(box.Extent(0) / MedialVoxelBits::BitsPerWord + 1));
         this->ChangeFromRow(box, y, z, touched);
       }
     }
@@ -167,7 +167,7 @@ private:
       {
         continue;
       }
-      firsts = this->LeaveOutAfterOtherRows(firsts, w, ownY, ownZ);
+      firsts = this->KeepFirsts(firsts, w, ownY, ownZ);
       if (firsts == 0)
       {
         continue;
@@ -190,7 +190,7 @@ private:
 
   /** Bits of a word without a neighbor of their kind in a row before theirs. */
   WordType
-  LeaveOutAfterOtherRows(WordType bits, const std::int64_t w, const std::int64_t y, const std::int64_t z) const
+  KeepFirsts(WordType bits, const std::int64_t w, const std::int64_t y, const std::int64_t z) const
   {
     const auto rowsBefore = [&](const std::int64_t word) {
       WordType sum = 0;
@@ -249,7 +249,7 @@ private:
     this->Add(seed, first);
     for (std::size_t i = 0; i < m_Component.size(); ++i)
     {
-      m_Poll.Count();
+      m_Checker.Count();
       const Voxel voxel = m_Component[i];
       if (this->IsAtEdge(voxel))
       {
@@ -327,7 +327,7 @@ private:
   std::array<std::int64_t, 3> m_Lower; // of the edge, and none along axes of length 1
   std::array<std::int64_t, 3> m_Upper;
   std::vector<Voxel>          m_Component;
-  MedialVoxelPollCounter      m_Poll;
+  MedialVoxelAbortChecker     m_Checker;
 };
 
 } // namespace

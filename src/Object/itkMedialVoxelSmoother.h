@@ -148,14 +148,14 @@ public:
 
   /** Object are the values from \a limit on. It is finite. */
   static MedialVoxelValueSmoothing
-  FromLower(const MedialVoxelLimit & limit)
+  FromLower(const MedialVoxelExactNumber & limit)
   {
     return MedialVoxelValueSmoothing(1, limit.GetFirstDouble(), GetFirst(limit));
   }
 
   /** Object are the values up to \a limit. It is finite. */
   static MedialVoxelValueSmoothing
-  FromUpper(const MedialVoxelLimit & limit)
+  FromUpper(const MedialVoxelExactNumber & limit)
   {
     return MedialVoxelValueSmoothing(-1, limit.GetLastDouble(), GetLast(limit));
   }
@@ -197,12 +197,12 @@ private:
 
   /** Between two integers the threshold is the next one inside; beyond the type it is the same number for F. */
   static SumType
-  GetFirst(const MedialVoxelLimit & limit)
+  GetFirst(const MedialVoxelExactNumber & limit)
   {
     return ScaleThreshold(std::is_integral<TPixel>::value ? std::ceil(limit.GetFirstDouble()) : limit.GetFirstDouble());
   }
   static SumType
-  GetLast(const MedialVoxelLimit & limit)
+  GetLast(const MedialVoxelExactNumber & limit)
   {
     return ScaleThreshold(std::is_integral<TPixel>::value ? std::floor(limit.GetLastDouble()) : limit.GetLastDouble());
   }
@@ -228,8 +228,8 @@ private:
 template <typename TPixel, typename TFunction>
 void
 MedialVoxelWithSmoothingRule(const MedialVoxelObjectPredicate<TPixel> & predicate,
-                             const MedialVoxelLimit &                   lower,
-                             const MedialVoxelLimit &                   upper,
+                             const MedialVoxelExactNumber &             lower,
+                             const MedialVoxelExactNumber &             upper,
                              TFunction &&                               function)
 {
   const bool hasLower = std::isfinite(lower.GetNearestDouble());

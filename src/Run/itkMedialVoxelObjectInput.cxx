@@ -48,7 +48,7 @@ MakePredicate(const MedialVoxelObjectRule & rule)
 template <typename TValue>
 void
 PackValues(const MedialVoxelValueView &               view,
-           const MedialVoxelBox &                     part,
+           const MedialVoxelBox &                     span,
            const MedialVoxelObjectPredicate<TValue> & predicate,
            const MedialVoxelTargets &                 targets)
 {
@@ -57,14 +57,14 @@ PackValues(const MedialVoxelValueView &               view,
     // Bits that stay clear need no look at each voxel.
     if (bits != nullptr && !(view.areEqual && !rule(*values)))
     {
-      MedialVoxelPackBox(values, view.strides, part, rule, *bits);
+      MedialVoxelPackBox(values, view.strides, span, rule, *bits);
     }
   };
   pack(predicate, targets.object);
   pack([](const TValue value) { return value != value; }, targets.notANumber);
   if (targets.gray != nullptr)
   {
-    MedialVoxelCopyBox(values, view.strides, part, *targets.gray);
+    MedialVoxelCopyBox(values, view.strides, span, *targets.gray);
   }
 }
 
@@ -80,7 +80,7 @@ FillSmoothed(MedialVoxelValueSource &                   source,
 {
   MedialVoxelSmoother<TValue, TSmoothingRule> smoother(image, rule);
   MedialVoxelForEachStrip(box, GetRowsOfStrip(source.GetRowsReadTogether()), [&](const MedialVoxelBox & part) {
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
     const MedialVoxelBox input = Numbers::GetInputBox(part, image);
     source.WithBox(input, [&](const MedialVoxelValueView & view) {
       const auto * const first = static_cast<const TValue *>(view.values);
@@ -141,9 +141,9 @@ MedialVoxelObjectInput::Fill(const MedialVoxelBox & box, const MedialVoxelTarget
     const auto predicate = MakePredicate<ValueType>(m_Rule);
     if (!this->IsSmoothed() || targets.object == nullptr)
     {
-      source.ForEachPart(box, [&](const MedialVoxelBox & part, const MedialVoxelValueView & view) {
-        MedialVoxelPoll();
-        PackValues(view, part, predicate, targets);
+      source.ForEachSpan(box, [&](const MedialVoxelBox & span, const MedialVoxelValueView & view) {
+        MedialVoxelCheckAbort();
+        PackValues(view, span, predicate, targets);
       });
       return;
     }

@@ -15,32 +15,33 @@ constexpr std::int64_t GroupSize = 16;
 
 /** Number whose sign bit is set unless -1 <= lower - upper - step <= 1. Unsigned, as undefined displacements wrap. */
 inline std::uint32_t
-Spread(const std::int32_t lower, const std::int32_t upper, const std::uint32_t step)
+NontrivialSign(const std::int32_t lower, const std::int32_t upper, const std::uint32_t step)
 {
   const std::uint32_t difference = static_cast<std::uint32_t>(lower) - static_cast<std::uint32_t>(upper) - step;
   return (difference + 1) | (1 - difference);
 }
 
-/** Bits of the edges of a group that are spread. */
+/** Bits of the edges of a group that are nontrivial. */
 MEDIALVOXEL_PART_OF_THEM inline std::uint32_t
-SpreadOfGroup(const MedialVoxelDisplacementRows & lower,
-              const MedialVoxelDisplacementRows & upper,
-              const unsigned int                  axis,
-              const std::int64_t                  begin,
-              const std::int64_t                  number)
+NontrivialOfGroup(const MedialVoxelDisplacementRows & lower,
+                  const MedialVoxelDisplacementRows & upper,
+                  const unsigned int                  axis,
+                  const std::int64_t                  begin,
+                  const std::int64_t                  number)
 {
   const std::uint32_t steps[3] = { axis == 0 ? 1u : 0u, axis == 1 ? 1u : 0u, axis == 2 ? 1u : 0u };
-  std::uint32_t       spread[GroupSize] = {};
+  std::uint32_t       nontrivial[GroupSize] = {};
   for (std::int64_t i = 0; i < number; ++i)
   {
     const std::int64_t at = begin + i;
-    spread[i] = Spread(lower[0][at], upper[0][at], steps[0]) | Spread(lower[1][at], upper[1][at], steps[1]) |
-                Spread(lower[2][at], upper[2][at], steps[2]);
+    nontrivial[i] = NontrivialSign(lower[0][at], upper[0][at], steps[0]) |
+                    NontrivialSign(lower[1][at], upper[1][at], steps[1]) |
+                    NontrivialSign(lower[2][at], upper[2][at], steps[2]);
   }
   std::uint32_t bits = 0;
   for (std::int64_t i = 0; i < GroupSize; ++i)
   {
-    bits |= (spread[i] >> 31) << i;
+    bits |= (nontrivial[i] >> 31) << i;
   }
   return bits;
 }
@@ -48,11 +49,11 @@ SpreadOfGroup(const MedialVoxelDisplacementRows & lower,
 } // namespace
 
 MEDIALVOXEL_FOR_PROCESSORS std::uint64_t
-                           MedialVoxelSpreadEdges(const MedialVoxelDisplacementRows & lower,
-                                                  const MedialVoxelDisplacementRows & upper,
-                                                  const unsigned int                  axis,
-                                                  const std::uint64_t                 edges,
-                                                  const std::int64_t                  number)
+                           MedialVoxelNontrivialEdges(const MedialVoxelDisplacementRows & lower,
+                                                      const MedialVoxelDisplacementRows & upper,
+                                                      const unsigned int                  axis,
+                                                      const std::uint64_t                 edges,
+                                                      const std::int64_t                  number)
 {
   std::uint64_t result = 0;
   for (std::int64_t begin = 0; begin < number; begin += GroupSize)
@@ -62,8 +63,9 @@ MEDIALVOXEL_FOR_PROCESSORS std::uint64_t
       continue;
     }
     // A number of edges that is known beforehand makes a loop without remainder.
-    const std::uint64_t bits = number - begin >= GroupSize ? SpreadOfGroup(lower, upper, axis, begin, GroupSize)
-                                                           : SpreadOfGroup(lower, upper, axis, begin, number - begin);
+    const std::uint64_t bits = number - begin >= GroupSize
+                                 ? NontrivialOfGroup(lower, upper, axis, begin, GroupSize)
+                                 : NontrivialOfGroup(lower, upper, axis, begin, number - begin);
     result |= bits << begin;
   }
   return result & edges;

@@ -24,11 +24,11 @@ using MedialVoxelDisplacementRows = std::array<const std::int32_t *, 3>;
  * \return the bits of \a edges that hold; other bits are zero
  * \ingroup MedialVoxel */
 MedialVoxel_EXPORT std::uint64_t
-                   MedialVoxelSpreadEdges(const MedialVoxelDisplacementRows & lower,
-                                          const MedialVoxelDisplacementRows & upper,
-                                          unsigned int                        axis,
-                                          std::uint64_t                       edges,
-                                          std::int64_t                        number);
+                   MedialVoxelNontrivialEdges(const MedialVoxelDisplacementRows & lower,
+                                              const MedialVoxelDisplacementRows & upper,
+                                              unsigned int                        axis,
+                                              std::uint64_t                       edges,
+                                              std::int64_t                        number);
 
 } // end namespace itk
 

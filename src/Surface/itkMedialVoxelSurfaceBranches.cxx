@@ -256,10 +256,10 @@ MedialVoxelSurfaceBranches::MarkBridges()
 void
 MedialVoxelSurfaceBranches::MarkBranches()
 {
-  MedialVoxelPollCounter poll;
+  MedialVoxelAbortChecker checker;
   for (std::size_t face = 0; face < m_Flags.size(); ++face)
   {
-    poll.Count();
+    checker.Count();
     const std::uint8_t sheet = m_Flags[this->RootOf(static_cast<IndexType>(face))];
     if ((sheet & (HasRim | HasJunction | IsLong | IsBridge)) == (HasRim | HasJunction))
     {

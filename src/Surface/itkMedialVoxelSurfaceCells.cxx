@@ -71,7 +71,7 @@ MedialVoxelSurfaceCells::MedialVoxelSurfaceCells(const MedialVoxelGrid &        
 {}
 
 void
-MedialVoxelSurfaceCells::MeasureOnGrayValues(const MedialVoxelExtraction::GrayRange & range)
+MedialVoxelSurfaceCells::MeasureOnGrayValues(const MedialVoxelSheetExtraction::GrayRange & range)
 {
   m_Gray.emplace(m_PhysicalGrid, range.lower, range.upper, range.scan);
 }
@@ -93,11 +93,11 @@ MedialVoxelSurfaceCells::Find(const MedialVoxelClassifiedTile &     tile,
   }
   workspace.thickness.Clear();
   // Every cell of a quadrilateral has an object voxel among its corners.
-  MedialVoxelPollCounter poll;
+  MedialVoxelAbortChecker checker;
   for (const MedialVoxelCellRow & row : tile.rows)
   {
     constexpr std::uint32_t stepsPerRow = 256;
-    poll.Count(stepsPerRow);
+    checker.Count(stepsPerRow);
     for (WordType rest = row.candidates; rest != 0; rest &= rest - 1)
     {
       const int              x = MedialVoxelLowestBit(rest);

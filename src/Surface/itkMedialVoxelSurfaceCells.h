@@ -88,7 +88,7 @@ public:
 
   /** Measure on the gray values that the tiles have. */
   void
-  MeasureOnGrayValues(const MedialVoxelExtraction::GrayRange & range);
+  MeasureOnGrayValues(const MedialVoxelSheetExtraction::GrayRange & range);
 
   /** The vertices in the cells of \a tile, in the order z, y, x of the cells and of the lowest edges.
    *

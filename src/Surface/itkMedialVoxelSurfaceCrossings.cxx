@@ -90,14 +90,14 @@ MedialVoxelSurfaceCrossings::Find(const MedialVoxelClassifiedTile & tile, Worksp
   workspace.ClearMasks();
   workspace.m_Edges.clear();
   workspace.m_Queries.clear();
-  const MedialVoxelBox   voxels = tile.classifier.GetCornerBox(tile.box);
-  MedialVoxelBox         missing;
-  MedialVoxelPollCounter poll;
+  const MedialVoxelBox    voxels = tile.classifier.GetCornerBox(tile.box);
+  MedialVoxelBox          missing;
+  MedialVoxelAbortChecker checker;
   for (std::int64_t z = voxels.lower[2]; z < voxels.upper[2]; ++z)
   {
     for (std::int64_t y = voxels.lower[1]; y < voxels.upper[1] && !tile.progress.IsAborted(); ++y)
     {
-      poll.Count(static_cast<std::uint32_t>(voxels.Extent(0)));
+      checker.Count(static_cast<std::uint32_t>(voxels.Extent(0)));
       this->FindInRow(tile, voxels, { 0, y, z }, workspace, missing);
       if (y + 1 < voxels.upper[1])
       {
@@ -168,7 +168,7 @@ MedialVoxelSurfaceCrossings::TakeEdges(const MedialVoxelClassifiedTile & tile,
   const MedialVoxelDisplacementRows upper{ { lower[0] + toUpper, lower[1] + toUpper, lower[2] + toUpper } };
   if (m_Grid.GetLongestEdge() < m_Parameters.epsilon)
   {
-    edges = MedialVoxelSpreadEdges(lower, upper, axis, edges, number);
+    edges = MedialVoxelNontrivialEdges(lower, upper, axis, edges, number);
   }
   for (WordType rest = edges; rest != 0; rest &= rest - 1)
   {
@@ -265,9 +265,9 @@ MedialVoxelSurfaceCrossings::SeparateByLimits(const MedialVoxelClassifiedTile & 
   auto & queries = workspace.m_Queries;
   // Where sites are missing for these thresholds, they need not be for the true ones.
   m_Separation.FindSeparated(*tile.window.sites, tile.progress, tile.classification.joint.GetSeparation(), queries);
-  MedialVoxelPollCounter poll;
-  const auto             isDecided = [&](MedialVoxelSeparationQuery & query) {
-    poll.Count();
+  MedialVoxelAbortChecker checker;
+  const auto              isDecided = [&](MedialVoxelSeparationQuery & query) {
+    checker.Count();
     if (query.isSeparated)
     {
       Mark(workspace.m_Edges[query.cell], workspace);
@@ -298,9 +298,9 @@ MedialVoxelSurfaceCrossings::DecideTogether(const MedialVoxelClassifiedTile & ti
     this->RaiseByBounds(workspace);
     m_Threshold.RaiseRadii(tile.classification.joint.GetSurvey(), workspace.m_Threshold);
   }
-  MedialVoxelPollCounter poll;
-  const auto             isDecided = [&](MedialVoxelSeparationQuery & query) {
-    poll.Count();
+  MedialVoxelAbortChecker checker;
+  const auto              isDecided = [&](MedialVoxelSeparationQuery & query) {
+    checker.Count();
     return this->DecideAtOnce(query, workspace);
   };
   queries.erase(std::remove_if(queries.begin(), queries.end(), isDecided), queries.end());
@@ -340,13 +340,13 @@ MedialVoxelSurfaceCrossings::FindRadii(const MedialVoxelClassifiedTile & tile, W
 void
 MedialVoxelSurfaceCrossings::RaiseByBounds(Workspace & workspace) const
 {
-  auto &                 threshold = workspace.m_Threshold;
-  std::vector<double> &  reached = workspace.m_ReachedRadii;
-  MedialVoxelPollCounter poll;
+  auto &                  threshold = workspace.m_Threshold;
+  std::vector<double> &   reached = workspace.m_ReachedRadii;
+  MedialVoxelAbortChecker checker;
   reached.assign(threshold.radii.size(), std::numeric_limits<double>::infinity());
   for (const MedialVoxelSeparationQuery & query : workspace.m_Queries)
   {
-    poll.Count();
+    checker.Count();
     const double            length = std::max(query.bounds.shortest, m_Cell.FreeSpaceLength(DifferenceOf(query)));
     const double            radius = m_Threshold.RadiusBelow(length * (1.0 - 3.0 * MedialVoxelResolutionBand));
     const Workspace::Edge & edge = workspace.m_Edges[query.cell];

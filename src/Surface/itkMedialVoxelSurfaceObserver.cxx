@@ -102,7 +102,7 @@ MedialVoxelSurfaceObserver::MedialVoxelSurfaceObserver(const MedialVoxelGrid &  
 {}
 
 void
-MedialVoxelSurfaceObserver::MeasureOnGrayValues(const MedialVoxelExtraction::GrayRange & range)
+MedialVoxelSurfaceObserver::MeasureOnGrayValues(const MedialVoxelSheetExtraction::GrayRange & range)
 {
   m_Kernel.MeasureOnGrayValues(range);
   m_Builder.SetWeightOfPlane(MedialVoxelSurfaceBuilder::WeightOfGrayPlane);
@@ -177,7 +177,7 @@ MedialVoxelSurfaceObserver::Commit()
   CellVector sorted;
   for (std::size_t slice = 0; slice < m_Pending.size(); ++slice)
   {
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
     auto & cells = m_Pending[slice];
     if (m_FindPart)
     {

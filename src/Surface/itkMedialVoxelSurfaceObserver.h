@@ -51,7 +51,7 @@ public:
 
   /** As MedialVoxelSurfaceCells measures; vertices keep closer to the middle then. */
   void
-  MeasureOnGrayValues(const MedialVoxelExtraction::GrayRange & range) override;
+  MeasureOnGrayValues(const MedialVoxelSheetExtraction::GrayRange & range) override;
 
   /** Cells that an execution over more than one slice may find before it fails with MedialVoxelSurfacePieceError; it
    * can then be run again in smaller pieces. Default without limit. */

@@ -84,7 +84,7 @@ MedialVoxelBallPainter::RankBalls(const Tile & tile) const
         }
       }
     }
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
   }
 }
 
@@ -167,7 +167,7 @@ MedialVoxelBallPainter::SortBalls(const Tile & tile) const
         {
           if (tile.box.Contains(center))
           {
-            tile.workspace.m_Open.CloseSpan(center[1], center[2], { center[0], center[0] + 1 }, diameter);
+            tile.workspace.m_Open.CloseRange(center[1], center[2], { center[0], center[0] + 1 }, diameter);
           }
         }
         else if (!this->IsInBallOfNeighbor(&ranks[place], neighbors))
@@ -176,7 +176,7 @@ MedialVoxelBallPainter::SortBalls(const Tile & tile) const
         }
       }
     }
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
   }
   this->OrderByRank(tile.workspace);
 }
@@ -203,11 +203,11 @@ MedialVoxelBallPainter::OrderByRank(Workspace & workspace) const
 void
 MedialVoxelBallPainter::PaintBalls(const Tile & tile) const
 {
-  Workspace &            workspace = tile.workspace;
-  MedialVoxelPollCounter poll;
-  const std::int64_t     columns = tile.padded.Extent(0);
-  const std::int64_t     rows = tile.padded.Extent(1);
-  std::uint32_t          spansOf = 0;
+  Workspace &             workspace = tile.workspace;
+  MedialVoxelAbortChecker checker;
+  const std::int64_t      columns = tile.padded.Extent(0);
+  const std::int64_t      rows = tile.padded.Extent(1);
+  std::uint32_t           spansOf = 0;
   for (const std::uint32_t ball : workspace.m_Order)
   {
     const std::uint32_t rank = workspace.m_Ranks[ball];
@@ -220,7 +220,7 @@ MedialVoxelBallPainter::PaintBalls(const Tile & tile) const
       this->FindSpans(rank, workspace);
       spansOf = rank;
     }
-    poll.Count(StepsOfBall);
+    checker.Count(StepsOfBall);
     this->PaintBall(tile,
                     { { tile.padded.lower[0] + ball % columns,
                         tile.padded.lower[1] + ball / columns % rows,
@@ -265,7 +265,7 @@ MedialVoxelBallPainter::PaintBall(const Tile & tile, const Index & center, const
   workspace.m_Open.CloseBall(ball, diameter, [&](const std::int64_t y, const std::int64_t z) {
     const std::int32_t * const row = workspace.m_Spans.data() + std::abs(z - center[2]) * (this->GetMargin()[1] + 1);
     const std::int64_t         width = row[std::abs(y - center[1])];
-    return MedialVoxelOpenVoxels::Span{ center[0] - width, width < 0 ? center[0] : center[0] + width + 1 };
+    return MedialVoxelOpenVoxels::RowRange{ center[0] - width, width < 0 ? center[0] : center[0] + width + 1 };
   });
 }
 

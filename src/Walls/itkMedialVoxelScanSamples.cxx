@@ -191,7 +191,7 @@ FindBlur(std::vector<SurfaceSample> & surfaces, const MedialVoxelScan & scan)
     }
     if (IsClean(surface, limit))
     {
-      MedialVoxelPoll();
+      MedialVoxelCheckAbort();
       blurs.push_back(MedialVoxelWallFit::FitBlur(surface).value_or(0.0));
     }
   }

@@ -26,16 +26,16 @@ struct MedialVoxel_EXPORT MedialVoxelWall
   float        thickness{ 0.0f }; ///< in the units of the grid's spacing, greater than 0
   float        area{ 0.0f };      ///< of the mid-surface that the cell stands for, in squared units; in 2-D a length
   std::uint8_t axis{ 0 };         ///< the axis that the way through the wall is longest along
-  bool         isRim{ false };    ///< the two sides do not face each other, so that the thickness is not that of a wall
-  bool         isUnresolved{ false }; ///< the gray values are those of several walls that the blur has joined
-  float        uncertainty{ std::numeric_limits<float>::quiet_NaN() }; ///< half width of the 95 % interval of the
-                                                                       ///< thickness; NaN: not known
+  bool  isUnpaired{ false };      ///< the two sides do not face each other, so that the thickness is not that of a wall
+  bool  isUnresolved{ false };    ///< the gray values are those of several walls that the blur has joined
+  float uncertainty{ std::numeric_limits<float>::quiet_NaN() }; ///< half width of the 95 % interval of the
+                                                                ///< thickness; NaN: not known
 
   /** The thickness of a wall is known. */
   bool
   IsMeasured() const
   {
-    return !isRim && !isUnresolved;
+    return !isUnpaired && !isUnresolved;
   }
 
   /** The thickness, or the negative of it where it is not that of a wall, as in the map. */
@@ -154,34 +154,34 @@ public:
 
 private:
   /** The two sides of a wall, and the way between them. */
-  struct Span;
+  struct SidePair;
 
   /** \param sideOf     the sides of the corners
    * \param direction  that of the last wall, or none
    * \param blockAt    called with a point, tells the block around it */
   template <typename TBlockAt>
-  Span
-  FindSpan(const MedialVoxelWallPoints &            wall,
-           const MedialVoxelWallPoints::SidesType & sideOf,
-           Direction &                              direction,
-           TBlockAt &&                              blockAt) const;
+  SidePair
+  FindSides(const MedialVoxelWallPoints &            wall,
+            const MedialVoxelWallPoints::SidesType & sideOf,
+            Direction &                              direction,
+            TBlockAt &&                              blockAt) const;
 
   template <typename TBlockAt>
   static MedialVoxelWallPoints::SidesType
-  LeaveOutEdges(const MedialVoxelWallPoints & wall, TBlockAt && blockAt);
+  FindSidesWithoutEdges(const MedialVoxelWallPoints & wall, TBlockAt && blockAt);
 
   template <typename TBlockAt>
   MedialVoxelWall
   MeasureWall(const MedialVoxelWallPoints & wall, Direction & direction, TBlockAt && blockAt) const;
 
   float
-  ThicknessOf(const Span & span) const;
+  ThicknessOf(const SidePair & pair) const;
 
   const Block &
   RecallBlock(const MedialVoxelBits & object, const MedialVoxelIndex & point, Memory & memory) const;
 
   static void
-  FindWaysOut(Direction & direction);
+  FindOffsetsOut(Direction & direction);
 
   Block
   GetBlock(const MedialVoxelBits & object, const MedialVoxelIndex & point) const;

@@ -174,7 +174,7 @@ SurfaceSpool::PutFaces(std::uint64_t first, const std::vector<SurfaceFace> & fac
 void
 SurfaceSpool::ReadVertices(std::uint64_t first, std::uint64_t count, std::vector<Vertex> & vertices) const
 {
-  itk::MedialVoxelPoll();
+  itk::MedialVoxelCheckAbort();
   if (!m_HoldsFloats)
   {
     vertices.resize(count);
@@ -197,7 +197,7 @@ SurfaceSpool::ReadFaces(std::uint64_t              first,
                         std::vector<SurfaceFace> & faces,
                         SurfaceFaceParts           parts) const
 {
-  itk::MedialVoxelPoll();
+  itk::MedialVoxelCheckAbort();
   faces.resize(count);
   if (parts != SurfaceFaceParts::Marks)
   {

@@ -118,7 +118,7 @@ public:
   /** Has the walls that the task finds, if any, measured on these gray values, or on the object, before the first run.
    */
   void
-  SetGrayRange(const std::optional<itk::MedialVoxelExtraction::GrayRange> & range);
+  SetGrayRange(const std::optional<itk::MedialVoxelSheetExtraction::GrayRange> & range);
 
   /** What comes next, if anything, is read meanwhile. The results are valid
    * until the next run, or Release(). A piece without a cell to decide and without an object is all zero, which sparse
@@ -194,7 +194,7 @@ private:
   UpdateProgress(float fraction) override;
 
   bool
-  IsAbortRequested() const override
+  IsAborted() const override
   {
     return m_IsStopped;
   }

@@ -80,7 +80,7 @@ struct InflateReader::State
     stream.avail_out = numberOfBytes;
     while (stream.avail_out > 0)
     {
-      itk::MedialVoxelPoll();
+      itk::MedialVoxelCheckAbort();
       Step();
     }
   }
@@ -136,7 +136,7 @@ InflateReader::CheckEnd()
   m_State->stream.avail_out = 1;
   while (!m_State->atEndOfStream)
   {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
     m_State->Step();
     if (m_State->stream.avail_out == 0)
     {
