@@ -61,7 +61,7 @@ public:
 
   using MethodEnum = MedialVoxelEnums::LocalThicknessMethod;
 
-  /** What the thickness of a voxel is. Default Wall. */
+  /** How the thickness of a voxel is defined. Default Wall. */
   itkMedialVoxelSetEnumMacro(Method, MethodEnum);
   itkGetEnumMacro(Method, MethodEnum);
 
@@ -79,7 +79,7 @@ public:
   void
   UnsetLargestBall();
 
-  /** What was set; 0 without. */
+  /** The value that was set; 0 when none was. */
   itkGetConstMacro(LargestBall, double);
 
   /** Object voxels whose value is LargestBall, so that their balls may be larger. Summed like the counts. */

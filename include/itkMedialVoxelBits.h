@@ -60,7 +60,7 @@ public:
   std::uint64_t
   GetBytesToFrame(const MedialVoxelBox & box, const MedialVoxelBox & largestBox) const;
 
-  /** True when Reframe() needs no memory beside what the bits have, as when a box slides along y or z. */
+  /** True when Reframe() needs no further memory, as when a box slides along y or z. */
   bool
   CanReframeInPlace(const MedialVoxelBox & box) const;
 

@@ -22,10 +22,9 @@ namespace itk
 /** \class MedialVoxelEngine
  * \brief Carries out a task on an image, region by region, with a client that knows the image and the threads.
  *
- * It walks a region slab by slab, each with a window of object bits that is certain to hold what its tiles depend on,
- * and has workers process the tiles, and prepare the window of the next slab meanwhile. Results do not depend on
- * regions, slabs, tiles or threads. Windows of a region are kept for the next one, so that input that both depend on is
- * asked for once.
+ * It walks a region slab by slab. Each slab has a window of object bits that holds all its tiles depend on. Workers
+ * process the tiles and prepare the window of the next slab meanwhile. Results do not depend on regions, slabs, tiles
+ * or threads. Windows of a region are kept for the next one, so that input that both depend on is asked for once.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelEngine
@@ -56,9 +55,9 @@ public:
   bool
   IsLast(const MedialVoxelBox & region) const;
 
-  /** Process all of \a region. What was found up to an exception does not count. When it is known which region comes
-   * next, its voxels are asked for while this one is processed.
-   * \throw MedialVoxelMemoryShortage when the memory limit does not hold what a slab of one voxel depends on. */
+  /** Process all of \a region. Results up to an exception do not count. When the next region is known, its voxels are
+   * read while this one is processed.
+   * \throw MedialVoxelMemoryShortage when a slab of one voxel needs more than the memory limit. */
   MedialVoxelSums
   Run(const MedialVoxelBox &    region,
       MedialVoxelObjectSource & source,

@@ -21,13 +21,12 @@ namespace itk
 class MedialVoxelTileObserver;
 
 /** \struct MedialVoxelSheetExtraction
- * \brief The task to label the medial cells, and what else is wanted of them.
+ * \brief The task to label the medial cells and to measure them.
  * \ingroup MedialVoxel
  */
 struct MedialVoxel_EXPORT MedialVoxelSheetExtraction
 {
-  /** Values of the voxels that are object, one end of which may be infinite, and what they are made of, when that is
-   * known. */
+  /** Range of the object's values, of which one end may be infinite, and their materials when known. */
   struct GrayRange
   {
     double                         lower;
@@ -57,7 +56,7 @@ struct MedialVoxel_EXPORT MedialVoxelSheetExtraction
   void
   AddObserver(MedialVoxelTileObserver & observer);
 
-  /** Whether the cells of a tile are kept for what follows the labels. */
+  /** Whether later steps need the cells of a tile. */
   bool
   KeepsRows() const
   {
@@ -75,7 +74,7 @@ struct MedialVoxelDistanceMap
   MedialVoxelRegion   region{ MedialVoxelRegion::Both };
   double              maximumDistance{ std::numeric_limits<double>::infinity() };
 
-  /** Tell where the boundary voxels are; without, perhaps only how far, which takes less time. */
+  /** Find where the boundary voxels are; false: perhaps only their distances, which is faster. */
   bool findsDisplacements{ true };
 };
 
@@ -92,8 +91,8 @@ struct MedialVoxel_EXPORT MedialVoxelLocalThickness
   /** Components of the background inside the object, and of the object, of at most so many voxels change sides. */
   std::uint64_t maximumPoreSize{ 0 };
 
-  /** The extraction whose walls are painted, with its own maximumPoreSize; what else it makes does not count. Without
-   * one, the diameters of balls are. */
+  /** The extraction whose walls are painted, with its own maximumPoreSize; its other results are ignored. Unset:
+   * diameters of balls are painted. */
   std::optional<MedialVoxelSheetExtraction> walls;
 
   /** Largest ratio of the maximum thickness to the smallest spacing, and its default, to the largest. */

@@ -17,15 +17,15 @@ namespace itk
 {
 
 /** \class MedialVoxelExactNumber
- * \brief A limit on pixel values: any double, or any whole number of 64 bits, neither of which the other type holds.
+ * \brief A number that is compared with pixel values exactly: any double, or any whole number of 64 bits.
  *
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelExactNumber
 {
 public:
-  /** May be infinite, and NaN, which no value fulfills. */
-  MedialVoxelExactNumber(const double value) // NOLINT(google-explicit-constructor): every double is a limit
+  /** May be infinite, or NaN, which equals no value. */
+  MedialVoxelExactNumber(const double value) // NOLINT(google-explicit-constructor): every double is a number
     : m_Nearest(value)
   {}
 
@@ -37,12 +37,12 @@ public:
                                                 : static_cast<std::uint64_t>(value))
   {}
 
-  /** The number that the whole \a text is, exactly when it is a whole number of 64 bits; nothing when it is no number,
-   * or one beyond 2^53 that has a fraction. */
+  /** The number of the whole \a text, exact for whole numbers of 64 bits; nothing when it is no number, or beyond 2^53
+   * and with a fraction. */
   static std::optional<MedialVoxelExactNumber>
   Parse(std::string_view text);
 
-  /** Text that reads back as the same limit. */
+  /** Text that reads back as the same number. */
   std::string
   Format() const;
 
@@ -52,14 +52,14 @@ public:
     return m_Nearest;
   }
 
-  /** True when a double holds the limit. */
+  /** True when a double holds the number. */
   bool
   IsDouble() const
   {
     return m_Rest == 0;
   }
 
-  /** The limit when it is not a double but a negative, or a not negative, whole number. */
+  /** The number when it is not a double but a negative, or a not negative, whole number. */
   std::optional<std::int64_t>
   GetNegative() const;
   std::optional<std::uint64_t>
@@ -89,7 +89,7 @@ public:
     return !(a == b);
   }
 
-  /** The smallest double that is not below the limit, and the largest that is not above. */
+  /** The smallest double that is not below the number, and the largest that is not above. */
   double
   GetFirstDouble() const
   {
@@ -101,12 +101,12 @@ public:
     return m_Rest < 0 ? std::nextafter(m_Nearest, -std::numeric_limits<double>::infinity()) : m_Nearest;
   }
 
-  /** The smallest value of a type that is not below the limit; nothing when all are. */
+  /** The smallest value of a type that is not below the number; nothing when all are. */
   template <typename TValue>
   std::optional<TValue>
   GetFirstValue() const;
 
-  /** The largest value of a type that is not above the limit; nothing when all are. */
+  /** The largest value of a type that is not above the number; nothing when all are. */
   template <typename TValue>
   std::optional<TValue>
   GetLastValue() const;
@@ -132,7 +132,7 @@ private:
   AddRest(double whole) const;
 
   double       m_Nearest;
-  std::int32_t m_Rest{ 0 }; ///< what the limit is above m_Nearest; not 0 only where doubles are whole numbers
+  std::int32_t m_Rest{ 0 }; ///< the number minus m_Nearest; 0 unless doubles are whole numbers there
 };
 
 template <typename TInteger>

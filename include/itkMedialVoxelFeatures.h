@@ -34,11 +34,11 @@ struct MedialVoxel_EXPORT MedialVoxelFeatures
   std::vector<std::int32_t> dy;
   std::vector<std::int32_t> dz;
 
-  /** Set the box and all displacements to zero. Takes as long as what was announced since the last time is large. */
+  /** Set the box and all displacements to zero. Clears only voxels marked since the last time. */
   void
   Reset(const MedialVoxelBox & newBox);
 
-  /** Announce displacements of \a number voxels from \a offset on; all others stay zero. */
+  /** Mark \a number voxels from \a offset on as written; all others must stay zero. */
   void
   MarkWritten(std::size_t offset, std::size_t number);
 

@@ -56,8 +56,8 @@ public:
   std::uint64_t
   GetRunOffset(std::uint64_t run) const;
 
-  /** Reads the box from the segments of a volume, with one request per run and file. Where the system tells of holes
-   * in a file, requests for 64 KiB and more take their zeros without reading them.
+  /** Reads the box from the segments of a volume, with one request per run and file. Requests of 64 KiB and more skip
+   * holes of a file where the system reports them.
    * \throw std::runtime_error with the name of the file and the offset when it cannot be opened or ends early */
   void
   Read(const std::vector<MedialVoxelFileSegment> & segments, void * buffer) const;

@@ -38,7 +38,7 @@ public:
   void
   Frame(const MedialVoxelBox & box, const MedialVoxelBox & largestBox);
 
-  /** Copy what \a source has of the slices and rows of \a rows. Several threads may do so for different rows. */
+  /** Copy the slices and rows of \a rows from \a source. Several threads may copy different rows. */
   void
   CopyRows(const MedialVoxelGray & source, const MedialVoxelBox & rows);
 

@@ -106,7 +106,7 @@ public:
     return m_Size;
   }
 
-  /** Those of the constructor; nearly equal ones are the first of them. */
+  /** The spacing of the constructor; nearly equal values become the first of them. */
   const SpacingType &
   GetSpacing() const
   {

@@ -41,8 +41,8 @@ struct MedialVoxel_EXPORT MedialVoxelGridLimits
   /** Of the largest spacing to the smallest: with more, sheets and thickness are inaccurate. */
   static constexpr double AccurateRatio = 4.0;
 
-  /** What is out of range, with the range, such as "its spacing along axis 2 is 0; it must be a number from 1e-12 to
-   * 1e+12"; empty when all is well. The vectors have a value for each axis. */
+  /** Error text with value and range, as in "its spacing along axis 2 is 0; it must be a number from 1e-12 to 1e+12";
+   * empty when all is well. The vectors have a value for each axis. */
   static std::string
   FindProblem(const std::vector<std::uint64_t> & size,
               const std::vector<double> &        spacing,
@@ -63,8 +63,8 @@ struct MedialVoxel_EXPORT MedialVoxelGridLimits
   static std::string
   FindInaccuracy(const MedialVoxelGrid & grid);
 
-  /** The least thickness that a grid can tell from nothing: the largest spacing beyond AccurateRatio, otherwise 0. A
-   * smaller one would take each step along the longest axis for the way around a wall. */
+  /** The least thickness that a grid resolves: the largest spacing beyond AccurateRatio, otherwise 0. With a smaller
+   * one, each step along the longest axis would count as a path around a wall. */
   static double
   LeastThickness(const MedialVoxelGrid & grid);
 };

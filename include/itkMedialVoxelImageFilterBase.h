@@ -103,24 +103,24 @@ protected:
   void
   DynamicThreadedGenerateData(const OutputImageRegionType & region) override;
 
-  /** What the engine is to do for the derived class. */
+  /** The engine's task for the derived class. */
   virtual MedialVoxelEngineTask
   GetTask(const MedialVoxelGrid & grid) const = 0;
 
-  /** Write what was found in a tile to the outputs. Called by several threads at a time. */
+  /** Write the results of a tile to the outputs. Called by several threads at a time. */
   virtual void
   TakeTile(const MedialVoxelTileResult & tile) = 0;
 
-  /** Process \a region; what was found up to an exception does not count. Prepares the input and runs the engine once,
-   * unless the derived class needs more. */
+  /** Process \a region; results up to an exception do not count. Prepares the input and runs the engine once, unless
+   * the derived class needs more runs. */
   virtual MedialVoxelSums
   RunRegion(const MedialVoxelBox & region);
 
-  /** Count what the last RunRegion() found; \a isNew when sums begin again. Does nothing by default. */
+  /** Add the counts of the last RunRegion(); \a isNew when sums begin again. Does nothing by default. */
   virtual void
   KeepSums(bool isNew);
 
-  /** Run the engine over \a region. Tells the progress of the run \a run of \a numberOfRuns over the same region. */
+  /** Run the engine over \a region. Reports progress as run \a run of \a numberOfRuns over the same region. */
   MedialVoxelSums
   RunEngine(const MedialVoxelBox & region, unsigned int run = 0, unsigned int numberOfRuns = 1);
 
@@ -131,11 +131,11 @@ protected:
     m_Engine.reset();
   }
 
-  /** What the engine reads: by default the object that the properties define, not smoothed. */
+  /** The input of the engine: by default the object that the properties define, not smoothed. */
   virtual std::unique_ptr<MedialVoxelInput>
   MakeInput(MedialVoxelValueSource & source);
 
-  /** Make the input, and what it has to read before a run, once for each change of the pixels. */
+  /** Make the input and run its passes, once for each change of the pixels. */
   MedialVoxelInput &
   PrepareInput();
 
@@ -146,12 +146,12 @@ protected:
     return dynamic_cast<const MedialVoxelObjectInput *>(m_Input.get());
   }
 
-  /** Find out what the values beside the one threshold are made of, from samples, once for each change of the input.
-   * There is no scan with two thresholds. */
+  /** Find the materials beside the one threshold from samples, once for each change of the input. With two thresholds
+   * there is no scan. */
   void
   PrepareScan(const std::optional<MedialVoxelScanLevels> & levels);
 
-  /** What PrepareScan() found. */
+  /** The result of PrepareScan(). */
   const MedialVoxelScanResult &
   GetScanResult() const
   {
@@ -169,7 +169,7 @@ protected:
     return MedialVoxelSheetExtraction::GrayRange{ this->GetLowerThreshold(), this->GetUpperThreshold(), m_Scan.scan };
   }
 
-  /** What ends an execution that is aborted. */
+  /** The exception of an aborted execution. */
   static std::exception_ptr
   MakeAbortException();
 
@@ -177,7 +177,8 @@ protected:
   ModifiedTimeType
   GetWindowMTime() const;
 
-  /** Latest change of the window, and of the pixels of an image without a source, which the pipeline does not tell. */
+  /** Latest change of the window, and of the pixels of an image without a source, which the pipeline does not
+   * report. */
   ModifiedTimeType
   GetPixelMTime() const
   {

@@ -90,7 +90,7 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateInputRequestedReg
   }
   else
   {
-    // All is in the window; what is buffered needs no work of the pipeline.
+    // All is in the window; buffered pixels need no work of the pipeline.
     input->SetRequestedRegion(input->GetBufferedRegion());
   }
 }

@@ -49,7 +49,7 @@ private:
   Self & m_Filter;
 };
 
-/** What the engine gets from the filter: threads, and places for the results. */
+/** Gives the engine the threads and outputs of the filter. */
 template <typename TInputImage, typename TOutputImage>
 class MedialVoxelImageFilterBase<TInputImage, TOutputImage>::Client : public MedialVoxelEngineClient
 {
@@ -102,7 +102,7 @@ private:
   unsigned int m_NumberOfRuns;
 };
 
-/** Lets a pass before the extraction be stopped. Its progress is that of the begin. */
+/** Lets a pass before the extraction be aborted. Progress stays 0. */
 template <typename TInputImage, typename TOutputImage>
 class MedialVoxelImageFilterBase<TInputImage, TOutputImage>::PassProgress : public MedialVoxelProgress
 {

@@ -22,7 +22,7 @@ namespace itk
 {
 
 /** \struct MedialVoxelObjectRule
- * \brief Which values are object: those from a lower to an upper limit, or all but one. NaN never is.
+ * \brief The values of the object: from a lower to an upper limit, or all but one. NaN is never object.
  *
  * Limits are compared as numbers: between two values of a type they act like the next value inside, and beyond the
  * range of the type like its end.
@@ -42,7 +42,7 @@ struct MedialVoxelObjectRule
 class MedialVoxel_EXPORT MedialVoxelInput : public MedialVoxelObjectSource
 {
 public:
-  /** Hears which part of the image a pass before the run has read, from 0 to 1; throws to stop. */
+  /** Called with the share of the image that a pass before the run has read, from 0 to 1; may throw to abort. */
   using Observer = std::function<void(double)>;
 
   /** \param source must outlive it */
@@ -113,9 +113,9 @@ public:
   static std::uint64_t
   GetBytesToSmooth(const MedialVoxelBox & image, MedialVoxelValueType type, std::int64_t rowsReadTogether);
 
-  /** Find out from samples what the values beside a threshold are made of. There is no scan with two thresholds.
+  /** Find the materials beside a threshold from samples. With two thresholds there is no scan.
    * \param lower, upper thresholds, of which one or both may be infinite
-   * \param levels       of the materials, when they are known */
+   * \param levels       of the materials, when known */
   MedialVoxelScanResult
   SurveyScan(const MedialVoxelGrid &                      grid,
              double                                       lower,
@@ -162,7 +162,7 @@ public:
   void
   ReadObjects(const MedialVoxelBox & box, MedialVoxelObjectNumber * objects) override;
 
-  /** The objects of the pass that is shown. Values that are not a number are those of the first pass. */
+  /** The objects of the current pass. Values that are not a number belong to the first pass. */
   void
   Fill(const MedialVoxelBox & box, const MedialVoxelTargets & targets) override;
 

@@ -26,7 +26,7 @@ namespace itk
 class MedialVoxel_EXPORT MedialVoxelLabelSurvey
 {
 public:
-  /** What was found. */
+  /** The result. */
   struct Result
   {
     std::vector<std::int64_t>            values;  ///< of the objects, ascending
@@ -90,7 +90,7 @@ private:
     if (!label)
     {
       using Shown = std::conditional_t<std::is_integral_v<TValue>, std::uint64_t, double>;
-      RefuseValue(static_cast<Shown>(value)); // of whole numbers only those of 64 bits are too large
+      RefuseValue(static_cast<Shown>(value)); // among whole numbers, only 64-bit ones are too large
     }
     return this->FindLabel(*label);
   }

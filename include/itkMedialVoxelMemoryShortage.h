@@ -12,7 +12,7 @@ namespace itk
 {
 
 /** \class MedialVoxelMemoryShortage
- * \brief The memory that an engine may use does not hold what a single voxel of the image depends on.
+ * \brief A single voxel of the image depends on more than fits the memory limit of an engine.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelMemoryShortage : public std::runtime_error

@@ -19,7 +19,7 @@ namespace itk
 {
 
 /** \class MedialVoxelLabelError
- * \brief The values of an image are not those of a label map.
+ * \brief An image is no label map.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelLabelError : public std::runtime_error
@@ -29,13 +29,12 @@ public:
 };
 
 /** \class MedialVoxelObjectAdjacency
- * \brief Which objects of a label map are so close that one may change the result of the other, and passes without such
- * pairs.
+ * \brief Finds the pairs of objects of a label map that may change each other's result, and passes without these pairs.
  *
  * Two objects whose voxels are at least 4 apart along one axis share no boundary voxel, and no path on the boundary
  * leads from one to the other. When small pores are filled, they must also be too far apart for one to lie in a pore of
- * the other, so that the reach grows with the size of the pores. Objects are looked for in blocks of the reach: those
- * of the same block or of neighboring blocks count as close, which is never too few.
+ * the other, so that the reach grows with the size of the pores. Objects in the same block or in neighboring blocks, as
+ * large as the reach, count as close; this finds all pairs, and some more.
  *
  * Objects have numbers from 1 on; 0 is the background. Rows are added from the first to the last, x fastest.
  * \ingroup MedialVoxel
@@ -81,7 +80,7 @@ private:
   /** The objects of blocks, each once. */
   struct Layer
   {
-    std::vector<std::array<ObjectType, MostInBlock>>         first; ///< those that came first; 0: no more
+    std::vector<std::array<ObjectType, MostInBlock>>         first; ///< the first ones; 0: no more
     std::unordered_map<std::size_t, std::vector<ObjectType>> rest;
   };
 
@@ -95,7 +94,7 @@ private:
   void
   FinishLayer();
 
-  /** Objects of a block and of those that are lower by up to 1 along each axis: all are close to each other. */
+  /** Objects of a block and of its neighbors lower by up to 1 along each axis: all are close to each other. */
   void
   CheckPasses(std::int64_t blockX, std::int64_t blockY);
 

@@ -16,7 +16,7 @@ namespace itk
 {
 
 /** \class MedialVoxelObjectRegion
- * \brief The objects of the voxels of a region, and so those of its cells.
+ * \brief The objects of the voxels and cells of a region.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelObjectRegion
@@ -30,7 +30,7 @@ public:
   /** Bytes of a voxel of the region, and of the voxels that its last cells reach into. */
   static constexpr std::uint64_t BytesPerVoxel = sizeof(MedialVoxelObjectNumber);
 
-  /** Read the voxels of a region, and those that its last cells reach into. */
+  /** Read the voxels of a region, and one more along each axis for its last cells. */
   void
   Read(const MedialVoxelBox & region);
 

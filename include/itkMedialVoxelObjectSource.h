@@ -27,7 +27,7 @@ enum class MedialVoxelSourceThreads : std::uint8_t
  */
 struct MedialVoxelTargets
 {
-  MedialVoxelBits * object{ nullptr };     ///< clear bits; those of the object are set
+  MedialVoxelBits * object{ nullptr };     ///< clear bits; the source sets bits of the object
   MedialVoxelBits * notANumber{ nullptr }; ///< the same for values that are not a number
   MedialVoxelGray * gray{ nullptr };       ///< values
 };
@@ -51,7 +51,7 @@ public:
   virtual std::int64_t
   GetRowsReadTogether() const;
 
-  /** Fill what is wanted of \a box. Sources without values are not asked for gray ones. */
+  /** Fill the wanted targets for \a box. Sources without values are not asked for gray ones. */
   virtual void
   Fill(const MedialVoxelBox & box, const MedialVoxelTargets & targets) = 0;
 };

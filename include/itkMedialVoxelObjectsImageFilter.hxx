@@ -12,7 +12,7 @@
 namespace itk
 {
 
-/** What the passes over the objects of the input found. */
+/** The results of the passes over the objects of the input. */
 template <typename TInputImage, typename TOutputImage>
 class MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::Objects
 {

@@ -15,7 +15,7 @@
 namespace itk
 {
 
-/** Labels of dual cells. Medial cells are those with a label of at least MedialByBound. */
+/** Labels of dual cells. Medial cells have at least MedialByBound. */
 namespace MedialVoxelLabel
 {
 constexpr std::uint8_t NoObject = 0;
@@ -62,7 +62,7 @@ struct MedialVoxel_EXPORT MedialVoxelParameters
   static std::uint64_t
   GetDefaultMaximumPoreSize(MedialVoxelThicknessMode mode);
 
-  /** What users say; thicknesses are in the units of the spacing. */
+  /** The choices of users; thicknesses are in the units of the spacing. */
   struct Settings
   {
     MedialVoxelThicknessMode       mode{ MedialVoxelThicknessMode::Fixed };

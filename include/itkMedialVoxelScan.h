@@ -10,7 +10,7 @@ namespace itk
 {
 
 /** \class MedialVoxelScan
- * \brief What the gray values of a scan are made of: two materials, a blur and noise.
+ * \brief A model of the gray values of a scan: two materials, a blur and noise.
  *
  * Across a flat surface the mean values rise from \a background to \a material like the cumulative normal distribution
  * with the standard deviation \a blur.

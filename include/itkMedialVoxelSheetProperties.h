@@ -19,7 +19,8 @@ namespace itk
 {
 
 /** \class MedialVoxelSheetProperties
- * \brief Properties of the filters that find medial sheets: which walls are sheets, and what their thickness is.
+ * \brief Properties of the filters that find medial sheets: which walls are sheets, and how their thickness is
+ * measured.
  *
  * \par Automatic thickness
  * With ThicknessMode Automatic each cell p has a threshold of its own,
@@ -144,7 +145,7 @@ public:
   itkGetConstMacro(SubvoxelThickness, bool);
   itkBooleanMacro(SubvoxelThickness);
 
-  /** Values of background and material for these fits, finite and not equal; default those of the scan. */
+  /** Values of background and material for these fits, finite and not equal; by default the scan decides. */
   virtual void
   SetScanLevels(double background, double material)
   {

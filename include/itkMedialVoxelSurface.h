@@ -25,7 +25,7 @@ class MedialVoxel_EXPORT MedialVoxelSurface
 {
 public:
   /** \struct Settings
-   * \brief The image, its classification, and what of the surface is left out.
+   * \brief The image, its classification, and the limits below which branches and components are removed.
    * \ingroup MedialVoxel
    */
   struct Settings
@@ -52,7 +52,7 @@ public:
   MedialVoxelTileObserver &
   GetObserver();
 
-  /** Hand on what is left, after the last run. */
+  /** Hand on the rest, after the last run. */
   void
   Finish();
 

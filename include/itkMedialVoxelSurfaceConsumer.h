@@ -72,8 +72,8 @@ struct MedialVoxelSurfaceQuad
     return areas[0] + areas[1];
   }
 
-  /** Numbers of the vertices of a triangle, 0 or 1: its first two sides are those of the quadrilateral that begin at
-   * the first two vertices, the third one is the diagonal. */
+  /** Numbers of the vertices of a triangle, 0 or 1: its first two sides are sides of the quadrilateral and begin at the
+   * first two vertices; the third one is the diagonal. */
   std::array<unsigned int, 3>
   GetTriangle(const unsigned int half) const
   {

@@ -96,7 +96,7 @@ struct MedialVoxelDistanceScale
 };
 
 /** \class MedialVoxelTileResult
- * \brief What was found in a tile, which is as long at hand as the tile is being taken. What was not asked for is null.
+ * \brief The results of a tile, valid while the tile is being taken. Results that were not requested are null.
  *
  * The tile is written to buffers in which it begins at \a first, and whose voxels lie as \a strides say. Every voxel of
  * the tile is written.
@@ -164,7 +164,7 @@ public:
     });
   }
 
-  /** The thickness of the measured walls, negative at rims; 0 in other cells. */
+  /** The thickness of the measured walls, negative where sides are unpaired; 0 in other cells. */
   void
   WriteThickness(float * first, const MedialVoxelStrides & strides) const;
 

@@ -17,7 +17,7 @@ namespace itk
 {
 
 /** \class MedialVoxelValueSource
- * \brief Where the values of an image come from: a pipeline, a file, or memory.
+ * \brief Source of the values of an image: a pipeline, a file, or memory.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelValueSource
@@ -50,18 +50,18 @@ public:
   virtual void
   WithBox(const MedialVoxelBox & box, const ViewFunction & function) = 0;
 
-  /** Call \a function(span, view) for spans of \a box that are best read each by itself; by default those of
+  /** Call \a function(span, view) for spans of \a box that are best read each by itself; by default for
    * CutIntoSpans(). */
   virtual void
   ForEachSpan(const MedialVoxelBox & box, const SpanFunction & function);
 
-  /** Spans of \a box of about a megabyte, in the order of the voxels, of which each follows the one before.
-   * \param bytesPerVoxel of what is held of a span */
+  /** Cut \a box into spans of about a megabyte, in the order of the voxels.
+   * \param bytesPerVoxel that a span takes */
   virtual Boxes
   CutIntoSpans(const MedialVoxelBox & box, std::size_t bytesPerVoxel) const;
 
-  /** Do \a work for each of the boxes, by default one after the other.
-   * \param mostThreads that do so at a time; 0 is without limit */
+  /** Call \a work for each of the boxes, by default one after the other.
+   * \param mostThreads at the same time; 0 is without limit */
   virtual void
   ForEach(const Boxes & boxes, unsigned int mostThreads, const Work & work);
 

@@ -96,7 +96,7 @@ public:
   {}
 
   std::uint64_t
-  GetWorkerBytesPerVoxel() const override
+  GetBytesPerVoxel() const override
   {
     return 1;
   }

@@ -177,7 +177,7 @@ TEST(MedialVoxelMovingWindow, AMoveTakesNoMoreThanItSays)
       sites = MakeBox({ { 0, 0, int(sites.lower[2]) } }, { { 70, 20, int(sites.upper[2]) } });
     }
     const auto          largestSites = RandomBox(volume.size, generator);
-    const std::uint64_t allowed = window.GetBytesToMove(sites, largestSites);
+    const std::uint64_t allowed = window.GetBytesToReframe(sites, largestSites);
     window.MoveTo(sites, largestSites, source);
     EXPECT_LE(ReservedBytes(window), allowed) << trial;
     EXPECT_GE(allowed, window.GetBytes(sites));
@@ -193,7 +193,7 @@ TEST(MedialVoxelMovingWindow, AWindowWithRoomGrowsInPlace)
   window.MoveTo(MakeBox({ { 0, 0, 0 } }, { { 70, 20, 4 } }), largestSites, source);
   const std::uint64_t bytes = ReservedBytes(window);
   const auto          sites = MakeBox({ { 0, 0, 1 } }, { { 70, 20, 11 } });
-  EXPECT_EQ(window.GetBytesToMove(sites, largestSites), bytes);
+  EXPECT_EQ(window.GetBytesToReframe(sites, largestSites), bytes);
   window.MoveTo(sites, largestSites, source);
   EXPECT_EQ(ReservedBytes(window), bytes);
   EXPECT_EQ(Differences(window, volume, sites), 0u);
@@ -209,7 +209,7 @@ TEST(MedialVoxelMovingWindow, AClearedWindowHasNoMemory)
   EXPECT_GE(ReservedBytes(window), window.GetBytes(sites));
   window.Clear();
   EXPECT_EQ(ReservedBytes(window), 0u);
-  EXPECT_EQ(window.GetBytesToMove(sites, sites), window.GetBytes(sites));
+  EXPECT_EQ(window.GetBytesToReframe(sites, sites), window.GetBytes(sites));
   window.MoveTo(sites, sites, source);
   EXPECT_EQ(Differences(window, volume, sites), 0u);
 }
@@ -258,7 +258,7 @@ TEST(MedialVoxelMovingWindow, KeepsValuesWithTheObject)
   {
     const itk::MedialVoxelBox objectBox = window.GetObjectBox(sites);
     EXPECT_EQ(window.GetBytes(sites), bits.GetBytes(sites) + itk::MedialVoxelGray::GetBytes(objectBox));
-    EXPECT_GE(window.GetBytesToMove(sites, sites), window.GetBytes(sites));
+    EXPECT_GE(window.GetBytesToReframe(sites, sites), window.GetBytes(sites));
     window.MoveTo(sites, sites, source);
     EXPECT_EQ(window.GetGray().GetBox().lower, objectBox.lower);
     EXPECT_EQ(window.GetGray().GetBox().upper, objectBox.upper);

@@ -387,17 +387,17 @@ TEST(MedialVoxelObject, BytesOfZerosAreToldFromAllOthers)
   std::vector<unsigned char> bytes(70, 0);
   for (std::int64_t count = 0; count <= 70; ++count)
   {
-    EXPECT_TRUE(itk::MedialVoxelAllBytesAreZero(bytes.data(), count));
+    EXPECT_TRUE(itk::MedialVoxelAreAllZero(bytes.data(), count));
     for (std::int64_t set = 0; set < 70; ++set)
     {
       bytes[static_cast<std::size_t>(set)] = 128;
-      EXPECT_EQ(itk::MedialVoxelAllBytesAreZero(bytes.data(), count), set >= count) << set << " of " << count;
+      EXPECT_EQ(itk::MedialVoxelAreAllZero(bytes.data(), count), set >= count) << set << " of " << count;
       bytes[static_cast<std::size_t>(set)] = 0;
     }
   }
   const std::vector<short> last{ 0, 0, 0, 0, 256 };
-  EXPECT_TRUE(itk::MedialVoxelAllBytesAreZero(last.data(), 4));
-  EXPECT_FALSE(itk::MedialVoxelAllBytesAreZero(last.data(), 5));
+  EXPECT_TRUE(itk::MedialVoxelAreAllZero(last.data(), 4));
+  EXPECT_FALSE(itk::MedialVoxelAreAllZero(last.data(), 5));
 }
 
 TEST(MedialVoxelObject, LongRunsOfZerosAreWhatTheObjectSays)

@@ -214,7 +214,7 @@ TEST(MedialVoxelSmallComponents, WindowsOfAnyKindHoldTheSameBits)
         auto sites = RandomBox(size, generator);
         for (int growth = 0; growth < 3; ++growth)
         {
-          const std::uint64_t allowed = window.GetBytesToMove(sites, sites);
+          const std::uint64_t allowed = window.GetBytesToReframe(sites, sites);
           window.MoveTo(sites, sites, source);
           ASSERT_EQ(Differences(window, sites, volume, expected), 0u) << "seed " << seed << ", at most " << most;
           EXPECT_GE(allowed, window.GetBytes(sites));

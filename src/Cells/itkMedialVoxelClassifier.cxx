@@ -182,13 +182,13 @@ MedialVoxelClassifier::GetWallPoints(const MedialVoxelFeatures & features,
 }
 
 std::uint64_t
-MedialVoxelClassifier::GetWorkspaceBytes(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
+MedialVoxelClassifier::GetBytes(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
 {
-  return MedialVoxelBoundedGeodesic::GetWorkspaceBytes(grid, parameters.GetLargestEpsilon());
+  return MedialVoxelBoundedGeodesic::GetBytes(grid, parameters.GetLargestEpsilon());
 }
 
 std::uint64_t
-MedialVoxelClassifier::GetWorkspaceBytesPerVoxel(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
+MedialVoxelClassifier::GetBytesPerVoxel(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
 {
   const bool isAutomatic = parameters.mode == MedialVoxelThicknessMode::Automatic;
   return (DecidesTogether(grid, parameters) ? MedialVoxelJointClassifier::BytesPerVoxel : 0) +

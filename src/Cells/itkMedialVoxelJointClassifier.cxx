@@ -159,7 +159,7 @@ MedialVoxelJointClassifier::Search(const MedialVoxelTileInput & input,
   }
 }
 
-/** Label what needs no search, and make queries of the rest. */
+/** Label cells that need no search, and make queries of the rest. */
 void
 MedialVoxelJointClassifier::LabelAtOnce(const MedialVoxelBits & sites,
                                         Workspace &             workspace,
@@ -324,8 +324,8 @@ MedialVoxelJointClassifier::AddCell(const MedialVoxelIndex &      center,
   }
 }
 
-/** Decide a cell whose points are near each other, if they are also along the boundary: most such cells lie beside a
- * sheet, which no block can tell. */
+/** Decide a cell whose points are near each other, if they are near along the boundary too: most of these cells lie
+ * beside a sheet, and blocks cannot decide them. */
 bool
 MedialVoxelJointClassifier::LabelShortPair(const MedialVoxelBits & sites,
                                            Cell &                  cell,
@@ -380,8 +380,7 @@ MedialVoxelJointClassifier::SeparateByBlocks(const MedialVoxelTileInput & input,
   }
 }
 
-/** Find the cells that fall short of the threshold that their own ball sets, as far as floods can tell; the others wait
- * for their threshold. */
+/** Find by floods the cells that fall short of the threshold of their own ball; the others wait for their threshold. */
 void
 MedialVoxelJointClassifier::BoundCells(const MedialVoxelTileInput & input,
                                        Workspace &                  workspace,
@@ -412,7 +411,7 @@ MedialVoxelJointClassifier::BoundCells(const MedialVoxelTileInput & input,
         continue;
       }
       workspace.m_Pairs.push_back(pair);
-      // What a cell reaches anyway, smaller balls need not raise; the bound has its own label.
+      // Balls need not raise a radius whose threshold the cell reaches anyway; the bound has its own label.
       const bool isBounded =
         cell.bounds.shortest > 0.0 && m_Pairs.GetCell().FreeSpaceLength(pair.difference) >= epsilon;
       const double reached = (cell.bounds.shortest - margin) * (1.0 - 3.0 * MedialVoxelResolutionBand);
@@ -424,7 +423,7 @@ MedialVoxelJointClassifier::BoundCells(const MedialVoxelTileInput & input,
   threshold.cells.Rank();
 }
 
-/** What floods tell of the geodesic distance of a cell whose threshold is at least \a epsilon. */
+/** Bound the geodesic distance of a cell whose threshold is at least \a epsilon by floods. */
 void
 MedialVoxelJointClassifier::BoundByFloods(const MedialVoxelBits & sites,
                                           const MedialVoxelPair & pair,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-// What is known of the cells of a tile while and after they are decided.
+// Bounds of the cells of a tile, while and after they are decided.
 
 #include "itkMedialVoxelJointClassifier.h"
 
@@ -15,7 +15,7 @@ namespace itk
 namespace
 {
 
-/** Longest edges from the points of a cell to those of most edges of voxels around it. */
+/** Longest edges from the points of a cell to the points of most edges of voxels around it. */
 constexpr double EdgesOfBoundMargin = 1.0;
 
 } // namespace
@@ -78,7 +78,7 @@ MedialVoxelJointClassifier::EdgeBetween(const MedialVoxelIndex & a, const Medial
   return m_Grid.GetEdgeLength(mask);
 }
 
-/** At least what the geodesic distances of two pairs differ by: edges from the points of one to those of a cell. */
+/** An upper bound of the difference of the geodesic distances of two pairs: edges between their points. */
 double
 MedialVoxelJointClassifier::PathLengthTo(const MedialVoxelIndex & a,
                                          const MedialVoxelIndex & b,
@@ -89,8 +89,8 @@ MedialVoxelJointClassifier::PathLengthTo(const MedialVoxelIndex & a,
   return std::min(straight, crossed);
 }
 
-/** Length by which the bounds of cells are to exceed their thresholds, so that they decide pairs beside those of the
- * cells, if observers ask for such. */
+/** Length by which the bounds of cells must exceed their thresholds, so that they decide pairs of edges for observers
+ * too. */
 double
 MedialVoxelJointClassifier::GetBoundMargin(const MedialVoxelTileInput &  input,
                                            const MedialVoxelTileLabels & labels) const
@@ -107,7 +107,7 @@ MedialVoxelJointClassifier::GetLargestEpsilon(const MedialVoxelIndex & cell,
   return m_Threshold.EpsilonOf(MedialVoxelLocalThreshold::GetLargestRadius(cell, radius, workspace.m_Threshold));
 }
 
-/** Widen the limits of the thresholds of a pair by those of the cells around its edge. */
+/** Widen the limits of the threshold of a pair by the thresholds of the cells around its edge. */
 void
 MedialVoxelJointClassifier::LimitThresholds(const Workspace &           workspace,
                                             const MedialVoxelFeatures & features,
@@ -171,7 +171,7 @@ MedialVoxelJointClassifier::LookAt(const Workspace &           workspace,
   }
 }
 
-/** Length of the shortest way of two edges between two boundary points; infinite when there is none. */
+/** Length of the shortest path of two edges between two boundary points; infinite when there is none. */
 double
 MedialVoxelJointClassifier::TwoEdgesBetween(const MedialVoxelBits &  sites,
                                             const MedialVoxelIndex & a,
@@ -225,7 +225,7 @@ MedialVoxelJointClassifier::LongerPathLengthTo(const MedialVoxelBits & sites,
   return std::numeric_limits<double>::infinity();
 }
 
-/** Tighten the bounds of a cell by those of its neighbors, until they decide it. */
+/** Tighten the bounds of a cell by the bounds of its neighbors, until they decide it. */
 void
 MedialVoxelJointClassifier::FollowNeighbors(const Workspace &       workspace,
                                             const MedialVoxelBits & sites,

@@ -15,13 +15,13 @@ namespace
 /** Cells that are tested together. */
 constexpr std::int64_t GroupSize = 16;
 
-/** Cells whose diagonals are compared together; those of a thin wall are few. */
+/** Cells whose diagonals are compared together; a thin wall has few. */
 constexpr std::int64_t ChoiceSize = 8;
 
 /** Displacements from -Limit to Limit - 1 keep the squares of dot products below 2^24, exact in single precision. */
 constexpr std::int32_t Limit = 16;
 
-/** Number whose sign bit is set unless -1 <= a - b + corner <= 1, with corner = 1 or -1 the way between two corners.
+/** Number whose sign bit is set unless -1 <= a - b + corner <= 1, with corner = 1 or -1 the offset between two corners.
  * Unsigned, as undefined displacements wrap. */
 template <int VCorner>
 inline std::uint32_t
@@ -145,8 +145,8 @@ WidestOfGroup(const MedialVoxelCornerRows & corners,
   double       numbers[ChoiceSize];
   for (std::int64_t i = 0; i < numberOfCells; ++i)
   {
-    // Fractions of such small numbers are equal in double precision only when they are equal. Pairs first, without
-    // jumps, as which one wins cannot be foreseen, and in one type, as longer vectors need.
+    // Fractions of small numbers that are equal in double precision are equal. Pairs first, in one type for long
+    // vectors, and without jumps, because the winner cannot be predicted.
     const double n[4] = { numerator[0][i], numerator[1][i], numerator[2][i], numerator[3][i] };
     const double d[4] = { denominator[0][i], denominator[1][i], denominator[2][i], denominator[3][i] };
     const double lowerN = n[1] * d[0] < n[0] * d[1] ? n[1] : n[0];

@@ -109,7 +109,7 @@ FindWinners(const Pass &         pass,
 #endif
 }
 
-/** Find the winners of a row between those of rows before and after it. */
+/** Find the winners of a row between the winners of rows before and after it. */
 MEDIALVOXEL_INLINE void
 SearchRow(const Pass & pass, const std::int64_t block, std::int64_t begin, std::int64_t last)
 {

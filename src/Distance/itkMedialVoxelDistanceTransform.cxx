@@ -25,7 +25,7 @@ constexpr std::int64_t Columns = MedialVoxelColumnPass::Columns;
 /** Slices to a site that does not exist, more than any image has. */
 constexpr std::int16_t Nowhere = MedialVoxelSquaredLengths::LargestSize;
 
-/** Voxels that are searched beyond those that sufficed for the tiles before. */
+/** Further voxels that are searched beyond the reach of the tiles before. */
 constexpr std::int64_t ReachMargin = 24;
 
 /** Least voxels that a window grows by when it holds no site. */
@@ -67,7 +67,7 @@ StepsToUnknown(const MedialVoxelGrid & grid, const MedialVoxelBox & known, const
 using Vector [[gnu::vector_size(Columns * sizeof(std::int16_t))]] = std::int16_t;
 #endif
 
-/** Slices from the last site on, for the columns of a slice, of which \a before tells the slice before. */
+/** Slices since the last site, for the columns of a slice; \a before is the result of the slice before. */
 MEDIALVOXEL_FOR_PROCESSORS void
 CountSlices(const WordType * const     sites,
             const int                  shift,
@@ -229,7 +229,7 @@ MedialVoxelDistanceTransform::Search::Run()
   return largest;
 }
 
-/** Slices from the sites below and above the tile to those next to it. */
+/** Slices from the sites below and above the tile to the slices next to it. */
 void
 MedialVoxelDistanceTransform::Search::CountBeside()
 {
@@ -317,7 +317,7 @@ MedialVoxelDistanceTransform::Search::SearchRows(const std::int64_t y, const std
   std::int32_t *     lines[Columns];
   for (std::int64_t row = 0; row < Columns; ++row)
   {
-    // The last row once more instead of those that are missing, which changes no largest value.
+    // The last row replaces missing rows; this changes no largest value.
     const std::int64_t own = std::min(row, rows - 1);
     lines[row] = m_Lengths.values.data() + m_Lengths.box.OffsetOf({ { m_Area.lower[0], y + own, z } });
   }
@@ -374,7 +374,7 @@ MedialVoxelDistanceTransform::Compute(const MedialVoxelBits &     sites,
   const std::int64_t before = workspace.m_Reach;
   if (tile.Extent(2) > 1 && (before == 0 || before >= StepsToUnknown(m_Grid, known, tile)))
   {
-    // One slice tells whether the window is large enough, most probably.
+    // One slice shows whether the window is large enough, most probably.
     MedialVoxelBox slice = tile;
     slice.upper[2] = slice.lower[2] + 1;
     const std::int32_t   largest = Search(sites, slice, whole, workspace, lengths).Run();

@@ -18,7 +18,7 @@ namespace
 {
 
 /** Radii of the balls of sorted displacements, in voxels: the larger one is large enough for the walls of thin parts,
- * the smaller one tells thin parts from thick ones. */
+ * the smaller one separates thin parts from thick ones. */
 constexpr double NearRadius = 3.0;
 constexpr double FarRadius = 6.0;
 
@@ -185,8 +185,8 @@ MedialVoxelFeatureTransform::SearchNearby(Tile & tile, const std::int64_t z, con
   }
 }
 
-/** Search the remaining voxels of a slice for sites at the displacements of \a table; the number of those that remain.
- * As a word takes as long for few voxels as for many, it begins with a voxel that remains. */
+/** Search the remaining voxels of a slice for sites at the displacements of \a table; returns how many remain. A word
+ * begins with a remaining voxel, because it takes as long for few voxels as for many. */
 std::uint64_t
 MedialVoxelFeatureTransform::SearchTable(Tile & tile, const std::int64_t z, const MedialVoxelOffsetTable & table) const
 {

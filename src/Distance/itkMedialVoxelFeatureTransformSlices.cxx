@@ -30,7 +30,7 @@ constexpr std::int64_t MostSlices = 4096;
 /** Least voxels around a tile that are searched. */
 constexpr std::int64_t LeastReach = 12;
 
-/** Voxels that are searched beyond those that sufficed for the slice before. */
+/** Further voxels that are searched beyond the reach of the slice before. */
 constexpr std::int64_t ReachMargin = 6;
 
 std::int64_t
@@ -55,7 +55,7 @@ public:
   void
   Prepare(std::int64_t z, std::int64_t reach);
 
-  /** True when slice \a z, the next one, is among those made ready. */
+  /** True when slice \a z, the next one, is ready. */
   bool
   IsReady(const std::int64_t z) const
   {
@@ -101,7 +101,7 @@ private:
   Tile &              m_Tile;
   Workspace::Slices & m_Memory;
 
-  /** Rows and columns whose sites count, and the first slice of those made ready and the one after the last. */
+  /** Rows and columns whose sites count, and the first ready slice and the one after the last. */
   MedialVoxelBox m_Area;
   std::int64_t   m_FirstSlice{ 0 };
   std::int64_t   m_EndSlice{ 0 };
@@ -360,7 +360,7 @@ MedialVoxelFeatureTransform::SliceSearch::SearchAlongX(const std::int64_t z)
   return largest;
 }
 
-/** The remaining voxels among those of a block that begins at \a x. */
+/** The remaining voxels of the block that begins at \a x. */
 WordType
 MedialVoxelFeatureTransform::SliceSearch::RemainingBits(const std::int64_t x,
                                                         const std::int64_t y,
@@ -451,8 +451,7 @@ MedialVoxelFeatureTransform::SearchSlices(Tile & tile, Workspace::Slices & memor
 }
 
 std::uint64_t
-MedialVoxelFeatureTransform::GetSliceSearchBytes(const MedialVoxelIndex & tileSize,
-                                                 const MedialVoxelIndex & searchedSize)
+MedialVoxelFeatureTransform::GetBytes(const MedialVoxelIndex & tileSize, const MedialVoxelIndex & searchedSize)
 {
   const std::int64_t area = searchedSize[0] * searchedSize[1];
   const std::int64_t blocks = std::max(BlocksOf(tileSize[0]), ColumnsAtOnce * BlocksOf(tileSize[1]));

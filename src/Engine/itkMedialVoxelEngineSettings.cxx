@@ -13,7 +13,7 @@ void
 MedialVoxelSheetExtraction::AddObserver(MedialVoxelTileObserver & observer)
 {
   observers.push_back(&observer);
-  observerBytesPerVoxel += observer.GetWorkerBytesPerVoxel();
+  observerBytesPerVoxel += observer.GetBytesPerVoxel();
   isObserved = true;
 }
 

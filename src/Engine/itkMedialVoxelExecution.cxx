@@ -157,7 +157,7 @@ MedialVoxelExecution::WaitForNews(std::unique_lock<std::mutex> & lock)
   }
 }
 
-/** Those that have not begun yet will find no work. */
+/** Workers that have not begun will find no work. */
 void
 MedialVoxelExecution::WaitForWorkers()
 {
@@ -203,7 +203,7 @@ MedialVoxelExecution::AbortOnFailure(TFunction && function)
     const std::lock_guard<std::mutex> lock(m_Mutex);
     if (!m_Failure)
     {
-      // In this order, as those that stop for it are no failure of their own.
+      // Store the failure before the flag: threads that end because of the flag must not overwrite it.
       m_Failure = std::current_exception();
       m_IsAborted = true;
     }
@@ -258,7 +258,7 @@ MedialVoxelExecution::Advance(const std::uint64_t voxels)
   this->UpdateObservers();
 }
 
-/** Observers of the client are called from the thread of the run, as those of Python and of user interfaces must be. */
+/** Python and user interfaces need their observers called from the thread of the run. */
 void
 MedialVoxelExecution::UpdateObservers()
 {

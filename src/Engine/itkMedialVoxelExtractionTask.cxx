@@ -180,7 +180,7 @@ MedialVoxelExtractionTask::FindNearest(const Tile & tile) const
   return missing;
 }
 
-/** At all medial cells when their thickness is wanted, otherwise at those that an observer selects. */
+/** At all medial cells when their thickness is wanted, otherwise at cells that an observer selects. */
 MedialVoxelBox
 MedialVoxelExtractionTask::MeasureWalls(const Tile & tile) const
 {
@@ -212,7 +212,7 @@ MedialVoxelExtractionTask::MeasureWalls(const Tile & tile) const
                          : MedialVoxelBox{};
 }
 
-/** To no observer before all of them know what they need to. */
+/** Observers run only after the examination of all is complete. */
 MedialVoxelBox
 MedialVoxelExtractionTask::Show(const Tile & tile) const
 {

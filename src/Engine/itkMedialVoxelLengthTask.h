@@ -24,7 +24,7 @@ public:
   static bool
   CanDo(const MedialVoxelGrid & grid, const MedialVoxelDistanceMap & settings);
 
-  /** Bytes of a worker beside those of the distance transform, for boxes of searched voxels of this size. */
+  /** Bytes of a worker, beside the distance transform, for boxes of searched voxels of this size. */
   static std::uint64_t
   GetBytes(const MedialVoxelGrid & grid, const MedialVoxelIndex & searchedSize);
 

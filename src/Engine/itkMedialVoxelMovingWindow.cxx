@@ -129,7 +129,7 @@ std::uint64_t
 MedialVoxelMovingWindow::GetBytesOfChanges(const MedialVoxelBox & sites) const
 {
   const MedialVoxelBox box = this->GetInputBox(sites);
-  return m_SmallComponents.IsOn() ? m_SmallComponents.GetWorkspaceBytes(box) + MedialVoxelSparseBits::GetBytes(box) : 0;
+  return m_SmallComponents.IsOn() ? m_SmallComponents.GetBytes(box) + MedialVoxelSparseBits::GetBytes(box) : 0;
 }
 
 std::uint64_t
@@ -143,7 +143,7 @@ MedialVoxelMovingWindow::GetBytes(const MedialVoxelBox & sites) const
 }
 
 std::uint64_t
-MedialVoxelMovingWindow::GetBytesToMove(const MedialVoxelBox & sites, const MedialVoxelBox & largestSites) const
+MedialVoxelMovingWindow::GetBytesToReframe(const MedialVoxelBox & sites, const MedialVoxelBox & largestSites) const
 {
   std::uint64_t bytes = this->GetBytesOfChanges(sites) + m_Changed.GetReservedBytes();
   bytes += m_KeepsGray ? m_Gray.GetBytesToReframe(this->GetObjectBox(sites), this->GetObjectBox(largestSites)) : 0;
@@ -164,7 +164,7 @@ MedialVoxelMovingWindow::GetBytesToMove(const MedialVoxelBox & sites, const Medi
 }
 
 std::uint64_t
-MedialVoxelMovingWindow::GetBytesToCopy(const MedialVoxelBox & sites, const MedialVoxelBox & largestSites) const
+MedialVoxelMovingWindow::GetBytesToFrame(const MedialVoxelBox & sites, const MedialVoxelBox & largestSites) const
 {
   std::uint64_t bytes = this->GetBytesOfChanges(sites);
   bytes += m_KeepsGray ? m_Gray.GetBytesToFrame(this->GetObjectBox(sites), this->GetObjectBox(largestSites)) : 0;

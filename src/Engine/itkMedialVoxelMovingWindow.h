@@ -16,7 +16,7 @@
 namespace itk
 {
 
-/** \brief Boxes that together hold what \a wanted has and \a present has not, each voxel once.
+/** \brief Boxes of the voxels of \a wanted that are not in \a present, each voxel once.
  *
  * Parts that differ along z come first, so that a slab grows by whole slices.
  * \ingroup MedialVoxel
@@ -38,8 +38,8 @@ class MedialVoxel_EXPORT MedialVoxelMovingWindow
 {
 public:
   /** \a kinds lists the boundaries that are kept; \a keepsNotANumber says whether voxels that are not a number are, and
-   * \a keepsGray whether the values of voxels are. Components of at most \a maximumPoreSize voxels change sides, as
-   * MedialVoxelSmallComponents tells. */
+   * \a keepsGray whether the values of voxels are. MedialVoxelSmallComponents of at most \a maximumPoreSize voxels
+   * change sides. */
   MedialVoxelMovingWindow(const MedialVoxelGrid &          grid,
                           std::vector<MedialVoxelBoundary> kinds,
                           bool                             keepsNotANumber = false,
@@ -58,15 +58,15 @@ public:
   std::uint64_t
   GetBytes(const MedialVoxelBox & sites) const;
 
-  /** Bytes of the window, at most, during and after a MoveTo() that keeps what it can of the old one. */
+  /** Largest memory of the window during and after a MoveTo() that keeps bits of the old position. */
   std::uint64_t
-  GetBytesToMove(const MedialVoxelBox & sites, const MedialVoxelBox & largestSites) const;
+  GetBytesToReframe(const MedialVoxelBox & sites, const MedialVoxelBox & largestSites) const;
 
-  /** The same of a move that keeps what it can of another window. */
+  /** The same for a move that copies bits of another window. */
   std::uint64_t
-  GetBytesToCopy(const MedialVoxelBox & sites, const MedialVoxelBox & largestSites) const;
+  GetBytesToFrame(const MedialVoxelBox & sites, const MedialVoxelBox & largestSites) const;
 
-  /** Bytes that the window has. */
+  /** Memory that the window has now. */
   std::uint64_t
   GetReservedBytes() const;
 
@@ -79,13 +79,13 @@ public:
   void
   MoveTo(const MedialVoxelBox & sites, const MedialVoxelBox & largestSites, MedialVoxelObjectSource & source);
 
-  /** Begin to move. What \a donor has is copied from there, which stays as it is meanwhile; without one the window
-   * keeps what it has itself. */
+  /** Begin to move. Bits that \a donor has are copied; it must stay as it is meanwhile. Without a donor the window
+   * keeps its own bits. */
   void
   BeginMove(const MedialVoxelBox & sites, const MedialVoxelBox & largestSites, const MedialVoxelMovingWindow * donor);
 
-  /** Parts of the window that the source fills, at most \a number and of whole slices, or of rows where there is one
-   * slice. Those that need nothing are left out.
+  /** Parts of the window that the source fills: at most \a number, of whole slices, or of rows where there is one
+   * slice. Parts that are known already do not count.
    * \param rows that belong together; more than 1: parts have rows of all slices and begin with a multiple of it */
   std::vector<MedialVoxelBox>
   CutToFill(std::int64_t number, std::int64_t rows) const;
@@ -157,7 +157,7 @@ private:
   static void
   VisitBits(TWindow & window, TVisitor && visit);
 
-  /** What is known when a move begins, of the window itself or of its donor. */
+  /** The known voxels when a move begins, of the window itself or of its donor. */
   struct Known
   {
     const MedialVoxelMovingWindow * donor{ nullptr };
@@ -166,11 +166,11 @@ private:
     MedialVoxelBox                  sites;
   };
 
-  /** Bytes, at most, of what changes small components in a window on \a sites. */
+  /** Largest memory to change small components in a window on \a sites. */
   std::uint64_t
   GetBytesOfChanges(const MedialVoxelBox & sites) const;
 
-  /** Copy what the donor has of the rows of a part. */
+  /** Copy rows of a part from the donor. */
   void
   CopyRows(const MedialVoxelBox & part);
 
@@ -180,7 +180,7 @@ private:
   bool                             m_KeepsGray;
   MedialVoxelSmallComponents       m_SmallComponents;
   MedialVoxelBits                  m_Object;
-  MedialVoxelSparseBits            m_Changed; // voxels that are no longer what the source gave; empty if none can be
+  MedialVoxelSparseBits            m_Changed; // voxels that differ from the source; empty if none can
   MedialVoxelBox                   m_FinalBox;
   MedialVoxelBits                  m_NotANumber;
   MedialVoxelGray                  m_Gray;

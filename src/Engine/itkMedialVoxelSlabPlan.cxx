@@ -49,8 +49,7 @@ CeilingDivide(const std::int64_t value, const std::int64_t divisor)
   return (value + divisor - 1) / divisor;
 }
 
-/** Tiles of thick parts: all of the rows, or as much as is useful, as each slice of a tile is searched from what lies
- * in its plane, and the work of the halo around it is repeated. */
+/** Tiles of thick parts: as much of the rows as is useful, because each tile repeats the search of its halo. */
 MedialVoxelIndex
 WideTile(const std::int64_t columns, const unsigned int numberOfWorkers)
 {
@@ -63,7 +62,7 @@ WideTile(const std::int64_t columns, const unsigned int numberOfWorkers)
   return { { std::max(width, NarrowTile), std::clamp(edge, SmallestTileEdge, LargestWideEdge), slices } };
 }
 
-/** Tiles of whole rows, as what lies beside a tile is searched again for each; of nearly equal size. */
+/** Tiles of whole rows and of nearly equal size, because each tile searches the voxels beside it again. */
 MedialVoxelIndex
 TileOfRows(const MedialVoxelBox & region, const unsigned int numberOfWorkers)
 {
@@ -138,10 +137,9 @@ MedialVoxelSlabPlan::Settings::ForClassification(const MedialVoxelGrid &       g
   {
     settings.halo[axis] += std::max(reach[axis], settings.tileMargin[axis]);
   }
-  settings.workerBytesPerVoxel = settings.boundaries.size() * MedialVoxelFeatures::BytesPerVoxel +
-                                 sizeof(std::uint8_t) +
-                                 MedialVoxelClassifier::GetWorkspaceBytesPerVoxel(grid, parameters);
-  settings.workerBytes = MedialVoxelClassifier::GetWorkspaceBytes(grid, parameters);
+  settings.bytesPerVoxel = settings.boundaries.size() * MedialVoxelFeatures::BytesPerVoxel + sizeof(std::uint8_t) +
+                           MedialVoxelClassifier::GetBytesPerVoxel(grid, parameters);
+  settings.bytesPerWorker = MedialVoxelClassifier::GetBytes(grid, parameters);
   return settings;
 }
 
@@ -150,7 +148,7 @@ MedialVoxelSlabPlan::Settings::ForDistances(const MedialVoxelBoundary boundary)
 {
   Settings settings;
   settings.boundaries = { boundary };
-  settings.workerBytesPerVoxel = MedialVoxelFeatures::BytesPerVoxel;
+  settings.bytesPerVoxel = MedialVoxelFeatures::BytesPerVoxel;
   return settings;
 }
 
@@ -200,8 +198,8 @@ MedialVoxelSlabPlan::PreferredCut(const MedialVoxelBox & region, const MedialVox
   }
   else if (m_Grid.IsActive(2))
   {
-    // Whole words along x. Features of thin parts fit the second-level cache; tiles of thick parts grow with their
-    // halo, as a tile repeats the work of the halo around it, and those with a margin all the more.
+    // Whole words along x. Features of thin parts fit the second-level cache; tiles of thick parts grow with their halo
+    // and margin, because a tile repeats the work of both.
     const std::int64_t smallest = m_Settings.tileMargin[1] > 0 ? 64 : SmallestTileEdge;
     const std::int64_t edge =
       std::clamp(std::max(halo[1], halo[2]) / SmallestTileEdge * SmallestTileEdge, smallest, LargestTileEdge);
@@ -244,7 +242,7 @@ MedialVoxelSlabPlan::Cut
 MedialVoxelSlabPlan::ChooseCut(const MedialVoxelBox & region, const MedialVoxelIndex & halo) const
 {
   Cut cut = this->PreferredCut(region, halo);
-  while (!this->IsWithinLimit(this->BytesOf(this->LargestSitesBox(region, cut), cut)))
+  while (!this->IsWithinLimit(this->GetBytes(this->LargestSitesBox(region, cut), cut)))
   {
     if (this->MakeFiner(cut))
     {
@@ -254,7 +252,7 @@ MedialVoxelSlabPlan::ChooseCut(const MedialVoxelBox & region, const MedialVoxelI
     const std::int64_t largest = *std::max_element(cut.halo.begin(), cut.halo.end());
     if (largest == 0)
     {
-      throw MedialVoxelMemoryShortage(this->BytesOf(this->LargestSitesBox(region, cut), cut), m_Settings.memoryLimit);
+      throw MedialVoxelMemoryShortage(this->GetBytes(this->LargestSitesBox(region, cut), cut), m_Settings.memoryLimit);
     }
     for (std::int64_t & voxels : cut.halo)
     {
@@ -344,8 +342,8 @@ MedialVoxelSlabPlan::BytesOfWorkers(const MedialVoxelBox & sites, const Cut & cu
   const std::uint64_t search =
     m_Settings.findsLengthsOnly
       ? MedialVoxelDistanceTransform::GetBytes(tile, searched) + MedialVoxelLengthTask::GetBytes(m_Grid, searched)
-      : MedialVoxelFeatureTransform::GetWorkspaceBytes(m_Grid, tile, searched);
-  const std::uint64_t worker = m_Settings.workerBytes + tileVoxels * m_Settings.workerBytesPerVoxel + search;
+      : MedialVoxelFeatureTransform::GetBytes(m_Grid, tile, searched);
+  const std::uint64_t worker = m_Settings.bytesPerWorker + tileVoxels * m_Settings.bytesPerVoxel + search;
   return m_Settings.numberOfWorkers * worker;
 }
 

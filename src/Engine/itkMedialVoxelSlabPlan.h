@@ -30,7 +30,7 @@ class MedialVoxel_EXPORT MedialVoxelSlabPlan
 {
 public:
   /** \struct Settings
-   * \brief What is kept and how the work is cut; the cut has no influence on results.
+   * \brief The kept bits, and the cut of the work, which has no influence on results.
    * \ingroup MedialVoxel
    */
   struct Settings
@@ -75,9 +75,9 @@ public:
      * leaves room for it and there are several workers. */
     bool readsAhead{ true };
 
-    /** Bytes of a worker, beside those of the distance transform: for each voxel of a tile, and for all of it. */
-    std::uint64_t workerBytesPerVoxel{ 0 };
-    std::uint64_t workerBytes{ 0 };
+    /** Bytes of a worker, beside the distance transform: for each voxel of a tile, and for the tile as a whole. */
+    std::uint64_t bytesPerVoxel{ 0 };
+    std::uint64_t bytesPerWorker{ 0 };
 
     /** For the classification, and for the nearest points of the object's border too if wanted. */
     static Settings
@@ -92,7 +92,7 @@ public:
     ForLengths(MedialVoxelBoundary boundary);
   };
 
-  /** How the work is cut: tiles, slabs of tiles, and what is known around a slab. */
+  /** How the work is cut: tiles, slabs of tiles, and the halo around a slab. */
   struct Cut
   {
     MedialVoxelIndex tileSize;
@@ -114,7 +114,7 @@ public:
     return m_SlowestAxis;
   }
 
-  /** An empty window that keeps what the settings say. */
+  /** An empty window, made by the settings. */
   MedialVoxelMovingWindow
   MakeWindow() const;
 
@@ -140,13 +140,13 @@ public:
   MedialVoxelBox
   LargestSitesBox(const MedialVoxelBox & region, const Cut & cut) const;
 
-  /** \a halo, and that of \a slab in \a sites: what one slab needed the next one probably needs too. */
+  /** The larger of \a halo and the halo of \a slab in \a sites: the next slab probably needs it too. */
   MedialVoxelIndex
   WidenHalo(MedialVoxelIndex halo, const MedialVoxelBox & slab, const MedialVoxelBox & sites) const;
 
   /** Bytes of a window on \a sites. */
   std::uint64_t
-  BytesOfWindow(const MedialVoxelBox & sites) const
+  GetBytes(const MedialVoxelBox & sites) const
   {
     return m_Window.GetBytes(sites);
   }
@@ -157,9 +157,9 @@ public:
 
   /** Bytes of a window and all workers. */
   std::uint64_t
-  BytesOf(const MedialVoxelBox & sites, const Cut & cut) const
+  GetBytes(const MedialVoxelBox & sites, const Cut & cut) const
   {
-    return this->BytesOfWindow(sites) + this->BytesOfWorkers(sites, cut);
+    return this->GetBytes(sites) + this->BytesOfWorkers(sites, cut);
   }
 
   bool

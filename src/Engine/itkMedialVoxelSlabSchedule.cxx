@@ -122,7 +122,7 @@ MedialVoxelSlabSchedule::HasTiles() const
   });
 }
 
-/** Prepare slabs again whose windows are too small by what other slabs needed meanwhile. */
+/** Prepare slabs again whose windows are too small now that the halo has grown. */
 void
 MedialVoxelSlabSchedule::RenewSlabs()
 {
@@ -280,7 +280,7 @@ auto
 MedialVoxelSlabSchedule::GrowDeferred(Pending & pending) const -> std::optional<Slab>
 {
   const Slab &        slab = *pending.deferred;
-  const std::uint64_t bytes = m_Plan.BytesOf(slab.sites, slab.cut);
+  const std::uint64_t bytes = m_Plan.GetBytes(slab.sites, slab.cut);
   if (m_Plan.IsWithinLimit(bytes))
   {
     return slab;
@@ -318,7 +318,7 @@ MedialVoxelSlabSchedule::MoveWindow(Slab & slab)
   const std::size_t    nearest = MedialVoxelFindNearestWindow(windows, input);
   const std::size_t    free = m_Slabs.empty() ? 1 - nearest : 1 - m_Slabs.front().window;
   const bool           isInPlace = windows[nearest].GetObject().GetBox() == input;
-  // Copies and clears are parts of the work of all threads; what is kept in place is moved by one.
+  // All threads copy and clear; one thread moves the bits that are kept in place.
   if (this->ReadsAhead() && !isInPlace && free != nearest && this->TryWindow(slab, free, true))
   {
     return true;
@@ -347,14 +347,14 @@ MedialVoxelSlabSchedule::MoveWindow(Slab & slab)
   return true;
 }
 
-/** What the other window has is copied, or what this one has is kept. */
+/** The window copies the bits of the other one, or keeps its own. */
 bool
 MedialVoxelSlabSchedule::TryWindow(Slab & slab, const std::size_t number, const bool copies)
 {
   MedialVoxelMovingWindow & window = m_State.windows[number];
   MedialVoxelMovingWindow & other = m_State.windows[1 - number];
-  const std::uint64_t       moved = copies ? window.GetBytesToCopy(slab.sites, slab.largestSites)
-                                           : window.GetBytesToMove(slab.sites, slab.largestSites);
+  const std::uint64_t       moved = copies ? window.GetBytesToFrame(slab.sites, slab.largestSites)
+                                           : window.GetBytesToReframe(slab.sites, slab.largestSites);
   if (!this->IsWithinLimit(slab, moved + other.GetReservedBytes()))
   {
     return false;
@@ -368,7 +368,7 @@ bool
 MedialVoxelSlabSchedule::TryNewWindow(Slab & slab, const std::size_t number)
 {
   Windows &           windows = m_State.windows;
-  const std::uint64_t moved = m_State.old.GetBytesToCopy(slab.sites, slab.largestSites);
+  const std::uint64_t moved = m_State.old.GetBytesToFrame(slab.sites, slab.largestSites);
   if (!this->IsWithinLimit(slab, moved + windows[0].GetReservedBytes() + windows[1].GetReservedBytes()))
   {
     return false;
@@ -390,7 +390,7 @@ MedialVoxelSlabSchedule::IsWithinLimit(const Slab & slab, const std::uint64_t by
   return m_Plan.IsWithinLimit(bytesOfWindows + workers);
 }
 
-/** What they have grown for one slab they keep for others of the region. */
+/** Workspaces stay as large as one slab of the region made them. */
 std::uint64_t
 MedialVoxelSlabSchedule::BytesOfWorkers(const Slab & slab) const
 {

@@ -37,7 +37,7 @@ public:
   /** Size of a tile and of the sites around a slab, on which the memory of a worker depends. */
   using Layout = std::array<MedialVoxelIndex, 2>;
 
-  /** What one region leaves for the next one. */
+  /** The windows that one region leaves for the next one. */
   struct State
   {
     Windows                 windows;
@@ -48,7 +48,7 @@ public:
     std::uint64_t           numberOfLayouts{ 0 }; ///< that followed each other
   };
 
-  /** What is done with a slab, one after the other. */
+  /** The phases of a slab, in order. */
   enum class Phase : std::uint8_t
   {
     Fill,                  ///< know the object bits of a part of the window
@@ -104,7 +104,7 @@ public:
   void
   Defer(const Work & work, const MedialVoxelBox & needed);
 
-  /** Tell that work is done, and how long it took. */
+  /** Call when work is done, with the time it took. */
   void
   Complete(const Work & work, double seconds);
 
@@ -168,7 +168,7 @@ private:
   Slab
   MakeSlab(const MedialVoxelBox & region, const std::vector<MedialVoxelBox> & parts, std::int64_t position) const;
 
-  /** Tell that the slab that comes next has begun. */
+  /** Count that the next slab has begun. */
   void
   DropNext(const Slab & slab);
 
@@ -180,7 +180,7 @@ private:
   bool
   TryWindow(Slab & slab, std::size_t number, bool copies);
 
-  /** Begin to copy what a window has to a new one, which all threads do; false when the memory does not suffice. */
+  /** Begin to copy a window to a new one, by all threads; false when the memory does not suffice. */
   bool
   TryNewWindow(Slab & slab, std::size_t number);
 

@@ -18,7 +18,7 @@ constexpr double TilesPerWorker = 4.0;
 /** Of the time that a slab takes, the most that one of its tiles may take. */
 constexpr double ShareOfLongestTile = 0.5;
 
-/** Of the time of a worker, what a tile takes that comes first. */
+/** Share of a worker's time from which on a tile comes first. */
 constexpr double ShareOfLeadingTile = 0.125;
 
 /** For each worker, the time of short tiles at the end, as a multiple of that of the longest tile before them. */

@@ -14,7 +14,7 @@ namespace itk
 {
 
 /** \class MedialVoxelTileTask
- * \brief What is done with each tile of an image.
+ * \brief The work on each tile of an image.
  * \ingroup MedialVoxel
  */
 class MedialVoxelTileTask

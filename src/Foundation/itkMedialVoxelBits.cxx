@@ -198,7 +198,7 @@ MedialVoxelBits::ReframeInPlace(const MedialVoxelBox & box)
   this->ClearAround(shared);
 }
 
-/** Clears all rows but those of \a kept. */
+/** Clears all rows that are not in \a kept. */
 void
 MedialVoxelBits::ClearAround(const MedialVoxelBox & kept)
 {

@@ -14,8 +14,7 @@ constexpr std::chrono::milliseconds UpdateInterval{ 100 };
 thread_local MedialVoxelProgress * watchingProgress = nullptr;
 thread_local Clock::time_point     nextUpdate;
 
-/** Calls UpdateObservers(), in which observers may run work of their own; that must not be stopped or watched for this
- * one. */
+/** Observers may run work of their own, which this progress must neither abort nor watch. */
 void
 UpdateUnwatched(MedialVoxelProgress & progress)
 {

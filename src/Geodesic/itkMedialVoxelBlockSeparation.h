@@ -54,7 +54,7 @@ public:
    * \param boundary  boundary points; pairs whose box reaches beyond them keep their bounds
    * \param progress  asked for an abort before each block
    * \param pairs     each with the boundary points \c a and \c b, the length \c epsilon up to which paths matter, in
-   * physical units, and the \c bounds of their geodesic distance; those with an \c epsilon of 0 are left alone */
+   * physical units, and the \c bounds of their geodesic distance; an \c epsilon of 0 leaves a pair alone */
   template <typename TPair>
   void
   Tighten(const MedialVoxelBits &     boundary,

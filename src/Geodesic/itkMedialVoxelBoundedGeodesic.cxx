@@ -83,7 +83,7 @@ MedialVoxelBoundedGeodesic::SearchBoxOf(const MedialVoxelGrid &  grid,
                                         const MedialVoxelIndex & b,
                                         const double             length)
 {
-  // Sums of rounded edges may fall a little short of what they should be.
+  // Sums of rounded edges may be a little too small.
   const double                  longest = length * (1.0 + MedialVoxelResolutionBand);
   const MedialVoxelDisplacement difference = Difference(a, b);
   const auto &                  spacing = grid.GetSpacing();
@@ -305,7 +305,7 @@ MedialVoxelBoundedGeodesic::Search(const MedialVoxelIndex & a,
 }
 
 std::uint64_t
-MedialVoxelBoundedGeodesic::GetWorkspaceBytes(const MedialVoxelGrid & grid, const double epsilon)
+MedialVoxelBoundedGeodesic::GetBytes(const MedialVoxelGrid & grid, const double epsilon)
 {
   constexpr std::uint64_t bytesPerRegionNode =
     MedialVoxelBoundaryGraph::BytesPerNode + MedialVoxelGeodesicLandmarks::BytesPerNode;

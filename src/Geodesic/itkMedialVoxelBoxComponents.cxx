@@ -67,7 +67,7 @@ MedialVoxelBoxComponents::Label(const MedialVoxelBits & boundary, const MedialVo
   }
 }
 
-/** Join the runs of the last row with those of an earlier one that they touch. */
+/** Join the runs of the last row with touching runs of an earlier one. */
 void
 MedialVoxelBoxComponents::Join(const std::size_t row, const std::size_t otherRow)
 {

@@ -12,7 +12,7 @@ namespace itk
 {
 
 /** \struct MedialVoxelLengthBounds
- * \brief What is known of a geodesic distance, in physical units and in floating point.
+ * \brief Bounds of a geodesic distance, in physical units and in floating point.
  * \ingroup MedialVoxel
  */
 struct MedialVoxelLengthBounds

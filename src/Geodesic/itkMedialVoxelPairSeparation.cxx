@@ -18,7 +18,7 @@ namespace
 constexpr unsigned int FirstLevel = 3;
 constexpr unsigned int LastLevel = 2;
 
-/** Share of the threshold that paths are searched for: what is known beyond it decides neighboring pairs. */
+/** Share of the threshold to which paths are searched: lengths beyond the threshold decide neighboring pairs. */
 constexpr double LongestSearch = 1.45;
 
 /** Number of the cube of 2^level voxels that the middle of a pair lies in. */

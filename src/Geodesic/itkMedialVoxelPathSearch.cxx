@@ -107,7 +107,7 @@ struct MedialVoxelPathSearch::Raster
     return neighbors & ~(std::uint32_t{ 1 } << NoDirection);
   }
 
-  /** What to add to a point to get its neighbor, for each direction. */
+  /** Offset from a point to its neighbor, for each direction. */
   std::array<PointType, NumberOfDirections>
   GetSteps() const
   {

@@ -28,7 +28,7 @@ namespace
 {
 
 /** One request may have fewer bytes than some systems' limit of 2 GiB. */
-constexpr std::uint64_t MaximumBytesPerRequest = std::uint64_t{ 1 } << 30;
+constexpr std::uint64_t RequestSize = std::uint64_t{ 1 } << 30;
 
 template <typename... TParts>
 [[noreturn]] void
@@ -114,9 +114,9 @@ private:
   void
   Transfer(std::uint64_t numberOfBytes, TRequest && request)
   {
-    for (std::uint64_t done = 0; done < numberOfBytes && m_File.good(); done += MaximumBytesPerRequest)
+    for (std::uint64_t done = 0; done < numberOfBytes && m_File.good(); done += RequestSize)
     {
-      request(done, static_cast<std::streamsize>(std::min(MaximumBytesPerRequest, numberOfBytes - done)));
+      request(done, static_cast<std::streamsize>(std::min(RequestSize, numberOfBytes - done)));
     }
   }
 

@@ -22,7 +22,7 @@ constexpr std::uint64_t LargestOfNegative = std::uint64_t{ 1 } << 63;
 MedialVoxelExactNumber::MedialVoxelExactNumber(const bool isNegative, const std::uint64_t magnitude)
   : m_Nearest(static_cast<double>(magnitude))
 {
-  // 2^64 is not a whole number of 64 bits: both differences are those modulo 2^64.
+  // 2^64 is not a whole number of 64 bits: both differences are modulo 2^64.
   const bool          isEnd = m_Nearest >= std::ldexp(1.0, std::numeric_limits<std::uint64_t>::digits);
   const std::uint64_t nearest = isEnd ? 0 : static_cast<std::uint64_t>(m_Nearest);
   m_Rest = isEnd || magnitude < nearest ? -static_cast<std::int32_t>(nearest - magnitude)

@@ -42,7 +42,7 @@ public:
     return predicate;
   }
 
-  /** The value \a value alone, exactly, also where double has no such number. */
+  /** Exactly \a value, even where it is no double. */
   static MedialVoxelObjectPredicate
   EqualTo(const TPixel value)
   {
@@ -96,7 +96,7 @@ private:
  */
 template <typename TPixel>
 bool
-MedialVoxelAllBytesAreZero(const TPixel * const pixels, const std::int64_t count)
+MedialVoxelAreAllZero(const TPixel * const pixels, const std::int64_t count)
 {
   constexpr std::size_t bytesPerWord = sizeof(std::uint64_t);
   const auto * const    bytes = reinterpret_cast<const unsigned char *>(pixels);
@@ -132,14 +132,14 @@ MedialVoxelPackRow(const TPixel *                    pixels,
   constexpr std::int64_t bitsPerWord = MedialVoxelBits::BitsPerWord;
   constexpr std::int64_t bitsPerByte = 8;
   const std::int64_t     end = x + count;
-  // Most of a volume is zero, which a look at whole words tells.
+  // Most of a volume is zero; comparing whole words finds that quickly.
   const bool skipsZeros = !predicate(TPixel{});
   for (std::int64_t begin = x; begin < end;)
   {
     const std::int64_t word = begin / bitsPerWord;
     const std::int64_t wordEnd = std::min((word + 1) * bitsPerWord, end);
     const std::int64_t first = begin % bitsPerWord;
-    if (skipsZeros && MedialVoxelAllBytesAreZero(pixels, wordEnd - begin))
+    if (skipsZeros && MedialVoxelAreAllZero(pixels, wordEnd - begin))
     {
       pixels += wordEnd - begin;
       begin = wordEnd;

@@ -115,7 +115,7 @@ public:
   void
   Run(const MedialVoxelBox & seeds, const MedialVoxelBox & touched)
   {
-    // What begins at the edge of the bits is not known to be small.
+    // A component at the edge of the bits may be large.
     const MedialVoxelBox inner = this->InnerBox();
     const MedialVoxelBox box = seeds.Intersection(inner);
     for (std::int64_t z = box.lower[2]; z < box.upper[2] && !box.IsEmpty(); ++z)
@@ -188,7 +188,7 @@ private:
     return m_Unit[0] == 0 ? 0 : (m_Bits.GetWord(w, y, z) << 1) | (m_Bits.GetWord(w - 1, y, z) >> 63);
   }
 
-  /** Bits of a word without a neighbor of their kind in a row before theirs. */
+  /** Bits of a word without a neighbor of their kind in an earlier row. */
   WordType
   KeepFirsts(WordType bits, const std::int64_t w, const std::int64_t y, const std::int64_t z) const
   {
@@ -345,7 +345,7 @@ MedialVoxelSmallComponents::MedialVoxelSmallComponents(const MedialVoxelGrid & g
 }
 
 std::uint64_t
-MedialVoxelSmallComponents::GetWorkspaceBytes(const MedialVoxelBox & box) const
+MedialVoxelSmallComponents::GetBytes(const MedialVoxelBox & box) const
 {
   return std::min(m_MaximumSize, static_cast<std::uint64_t>(box.NumberOfVoxels())) * sizeof(Voxel);
 }

@@ -78,7 +78,7 @@ MedialVoxelForEachStrip(const MedialVoxelBox & box, const std::int64_t rows, TFu
 }
 
 /** \class MedialVoxelMaskSmoothing
- * \brief The mask of a predicate is smoothed, and what is at least one half becomes object.
+ * \brief The mask of a predicate is smoothed, and values of at least one half become object.
  * \ingroup MedialVoxel
  */
 template <typename TPixel>

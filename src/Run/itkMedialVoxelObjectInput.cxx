@@ -44,7 +44,7 @@ MakePredicate(const MedialVoxelObjectRule & rule)
   }
 }
 
-/** Packs values of a part to what is wanted of it. */
+/** Packs values of a span to the wanted targets. */
 template <typename TValue>
 void
 PackValues(const MedialVoxelValueView &               view,

@@ -198,7 +198,7 @@ MedialVoxelSurfaceBranches::MeasureDistances(const float                     len
   }
 }
 
-/** Gather at the roots what is known of the faces of a sheet. */
+/** Gather the flags of the faces of a sheet at its root. */
 void
 MedialVoxelSurfaceBranches::CollectFlags(const std::vector<float> & distances, const MedialVoxelSurfaceFaces & faces)
 {
@@ -213,7 +213,7 @@ MedialVoxelSurfaceBranches::CollectFlags(const std::vector<float> & distances, c
   });
 }
 
-/** Of the sheets that are short, those between junctions that do not touch. */
+/** The short sheets between junctions that do not touch. */
 void
 MedialVoxelSurfaceBranches::MarkBridges()
 {

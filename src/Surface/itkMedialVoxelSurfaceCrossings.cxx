@@ -212,7 +212,7 @@ MedialVoxelSurfaceCrossings::DecideFixed(const MedialVoxelClassifiedTile & tile,
   }
 }
 
-/** Decide an edge by what its cells tell, or by the smallest threshold; otherwise make a query of it. */
+/** Decide an edge by the bounds of its cells, or by the smallest threshold; otherwise make a query of it. */
 void
 MedialVoxelSurfaceCrossings::AddEdge(const MedialVoxelClassifiedTile & tile,
                                      const Workspace::Edge &           edge,
@@ -335,8 +335,8 @@ MedialVoxelSurfaceCrossings::FindRadii(const MedialVoxelClassifiedTile & tile, W
   m_Threshold.FindRadii(tile.features, workspace.m_Threshold);
 }
 
-/** Raise the radii of the cells to those whose thresholds all queries around them reach anyway, so that balls need not
- * raise them so far. */
+/** Raise the radii of the cells as far as all queries around them reach the thresholds anyway, so that balls need
+ * not. */
 void
 MedialVoxelSurfaceCrossings::RaiseByBounds(Workspace & workspace) const
 {

@@ -95,7 +95,7 @@ MedialVoxelSurfaceObserver::MedialVoxelSurfaceObserver(const MedialVoxelGrid &  
                                                        const MedialVoxelGrid::SpacingType & spacing,
                                                        const MedialVoxelSurfacePlacement &  placement,
                                                        MedialVoxelSurfaceConsumer &         consumer)
-  : m_WorkerBytesPerVoxel(GetWorkerBytesPerVoxel(grid, parameters))
+  : m_BytesPerVoxel(GetBytesPerVoxel(grid, parameters))
   , m_Kernel(grid, parameters, spacing)
   , m_Builder(placement, spacing, consumer)
   , m_Trimmer(m_Builder)
@@ -109,8 +109,7 @@ MedialVoxelSurfaceObserver::MeasureOnGrayValues(const MedialVoxelSheetExtraction
 }
 
 std::uint64_t
-MedialVoxelSurfaceObserver::GetWorkerBytesPerVoxel(const MedialVoxelGrid &       grid,
-                                                   const MedialVoxelParameters & parameters)
+MedialVoxelSurfaceObserver::GetBytesPerVoxel(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
 {
   return MedialVoxelSurfaceCrossings::GetBytesPerVoxel(grid, parameters) + MedialVoxelCellRow::BytesPerVoxel +
          sizeof(MedialVoxelSurfaceCell) / 16;

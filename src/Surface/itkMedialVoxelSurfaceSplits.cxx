@@ -137,7 +137,7 @@ MedialVoxelSurfaceCrossings::FindSplit(const MedialVoxelClassifiedTile & tile,
   return evenAreOfOneSide ? Topology::AroundUneven : Topology::AroundEven;
 }
 
-/** Whether a pair across a face is apart, by what the cells on both sides of it tell. */
+/** Whether a pair across a face is apart, by the bounds of the cells on both sides of it. */
 auto
 MedialVoxelSurfaceCrossings::DecideByLimits(const MedialVoxelClassifiedTile & tile,
                                             const Face &                      face,

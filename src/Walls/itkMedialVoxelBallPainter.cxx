@@ -31,7 +31,7 @@ ToSize(const std::int64_t number)
 
 } // namespace
 
-/** A tile, and what is known of the voxels whose balls may reach it. */
+/** A tile, and the voxels whose balls may reach it. */
 struct MedialVoxelBallPainter::Tile
 {
   Box                         box;
@@ -106,7 +106,7 @@ MedialVoxelBallPainter::ListNeighbors(const Box & padded) const -> std::vector<N
       }
     }
   }
-  // Most balls are in one of those that share a face.
+  // Most balls are in the ball of a neighbor that shares a face.
   std::stable_sort(neighbors.begin(), neighbors.end(), [](const Neighbor & a, const Neighbor & b) {
     return MedialVoxelPopulationCount(a.axes) < MedialVoxelPopulationCount(b.axes);
   });
@@ -124,7 +124,7 @@ MedialVoxelBallPainter::IsInBallOfNeighbor(const std::uint32_t * const   ball,
   });
 }
 
-/** Whether a ball of the largest radius is covered by those around it but for its center, as is its own ball. */
+/** Whether the neighbors of a ball of the largest radius cover it except for its center. */
 bool
 MedialVoxelBallPainter::IsAmongLargest(const std::uint32_t * const ball, const std::vector<Neighbor> & neighbors) const
 {
@@ -134,7 +134,7 @@ MedialVoxelBallPainter::IsAmongLargest(const std::uint32_t * const ball, const s
   });
 }
 
-/** The balls that reach the tile and are not in those of their neighbors, the largest first. */
+/** The balls that reach the tile and are not in the ball of a neighbor, the largest first. */
 void
 MedialVoxelBallPainter::SortBalls(const Tile & tile) const
 {

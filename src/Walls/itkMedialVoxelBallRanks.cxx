@@ -79,7 +79,8 @@ MedialVoxelBallRanks::RankDisplacements()
   }
 }
 
-/** A ball with this square of the radius, and for steps to neighbors what contains all of its voxels. */
+/** A ball with this square of the radius, and for each step to a neighbor the square that contains all of its
+ * voxels. */
 void
 MedialVoxelBallRanks::AddRank(const double square, const std::array<double, 8> & needed)
 {

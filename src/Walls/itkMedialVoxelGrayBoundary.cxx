@@ -110,8 +110,8 @@ struct MedialVoxelGrayBoundary::Field
     return true;
   }
 
-  /** Where the values rise through the threshold along a line, in multiples of \a line: nearest to the start, so that
-   * another wall behind a narrow gap does not count; false when they do not. */
+  /** The multiple of \a line from the start at which the values rise through the threshold; false when they do not. The
+   * nearest one, so that another wall behind a narrow gap does not count. */
   bool
   FindCrossing(const PositionType & start, const PositionType & line, double & times) const
   {
@@ -149,8 +149,8 @@ MedialVoxelGrayBoundary::MedialVoxelGrayBoundary(const MedialVoxelGrid & grid, c
   , m_Upper(upper)
 {}
 
-/** The mean of where the values cross the threshold on four lines along their gradient around the point. What a line
- * sees depends on where it passes between the voxels; half a voxel further it errs the other way. */
+/** The mean of the crossings of the threshold on four lines along the gradient around the point. The error of a line
+ * depends on its place between the voxels; half a voxel further it has the opposite sign. */
 auto
 MedialVoxelGrayBoundary::Find(const MedialVoxelGray &  gray,
                               const MedialVoxelIndex & point,
@@ -258,8 +258,8 @@ MedialVoxelGrayBoundary::ToVoxels(const PositionType & direction) const -> Posit
   return Along({ { 0.0, 0.0, 0.0 } }, voxels, 1.0 / largest);
 }
 
-/** Two directions in voxels along which the values do not change, the largest component of each 1, or 0 where an image
- * has no such direction. */
+/** Two directions in voxels along which the values do not change, with 1 as the largest component, or 0 where an image
+ * lacks the direction. */
 void
 MedialVoxelGrayBoundary::GetTangents(const PositionType & gradient, PositionType (&tangents)[2]) const
 {

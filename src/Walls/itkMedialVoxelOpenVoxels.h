@@ -55,8 +55,8 @@ public:
 
   /** Gives a value to the open voxels of a ball.
    * \param ball     box that holds it, around its center
-   * \param getRange  getRange(y, z) returns its RowRange in a row of that box; those of rows nearer to the center hold
-   * those of farther ones */
+   * \param getRange  getRange(y, z) returns its RowRange in a row of that box; ranges shrink with the distance of the
+   * row from the center */
   template <typename TGetRange>
   void
   CloseBall(const MedialVoxelBox & ball, const float value, TGetRange && getRange)
@@ -213,7 +213,7 @@ private:
                (voxel[2] - m_Box.lower[2]) / BrickSize } };
   }
 
-  /** In those of its brick. */
+  /** In the voxels of its brick. */
   std::uint64_t
   GetBitOfRow(const std::int64_t y, const std::int64_t z) const
   {

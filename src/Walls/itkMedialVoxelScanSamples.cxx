@@ -23,7 +23,7 @@ using SurfaceSample = MedialVoxelScanSamples::Surface;
 constexpr std::size_t FewestLevels = 200;
 constexpr std::size_t FewestSurfaces = 60;
 
-/** Fewer means around background do not tell which are usual. */
+/** With fewer means around background, outliers cannot be found. */
 constexpr std::size_t FewestMeans = 2000;
 
 /** From material to the faces of its wall, in units of the blur: there the value is lower by 1 %. */

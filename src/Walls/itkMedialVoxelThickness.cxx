@@ -39,7 +39,7 @@ struct Side
  * the bit that is as much lower is along the opposite. */
 constexpr unsigned int NumberOfOffsetPairs = 13;
 
-/** The projections on \a inwards of the offsets that are higher than the center. */
+/** Products of \a inwards with the offsets that are higher than the center. */
 std::array<double, NumberOfOffsetPairs>
 ProjectOffsets(const PositionType & inwards)
 {
@@ -63,7 +63,7 @@ OffsetsOutOf(const PositionType & inwards)
   const auto   projections = ProjectOffsets(inwards);
   BlockType    upper = 0;
   BlockType    lower = 0;
-  // Opposite offsets lead as far the other way.
+  // Opposite offsets have the opposite sign.
   for (unsigned int i = 0; i < NumberOfOffsetPairs; ++i)
   {
     upper |= (projections[i] < -slack ? BlockType{ 1 } : 0) << i;
@@ -201,8 +201,8 @@ MedialVoxelThickness::FindOffsetsOut(Direction & direction)
   direction.knowsOut = true;
 }
 
-/** In thin walls the blocks of points beside a rim reach over it: there both surfaces seem to lean the same way.
- * The points of these pairs belong to no side, unless all pairs are so. */
+/** In thin walls the blocks of points beside a rim reach over it: both surfaces seem to lean to the same side there.
+ * The points of these pairs belong to no side, unless all pairs are like that. */
 template <typename TBlockAt>
 auto
 MedialVoxelThickness::FindSidesWithoutEdges(const MedialVoxelWallPoints & wall, TBlockAt && blockAt)
@@ -299,7 +299,7 @@ MedialVoxelThickness::FindSides(const MedialVoxelWallPoints &            wall,
     {
       FindOffsetsOut(direction);
     }
-    // Those of another wall behind a narrow gap: out of the wall, with one at the opposite offset.
+    // Voxels of another wall behind a narrow gap: out of the wall, with one at the opposite offset.
     const Block &   block = blockAt(wall.corners[corner]);
     const BlockType ofOtherWall = block.opposite & direction.out[side];
     const BlockType voxels = block.voxels & ~ofOtherWall;
@@ -322,7 +322,7 @@ MedialVoxelThickness::ThicknessOf(const SidePair & pair) const
   return static_cast<float>(std::max(m_Smallest, pair.distance - toFaces));
 }
 
-/** Points on the end of a wall tell that it is one, and nothing of its thickness. */
+/** Points on the end of a wall mark it as unpaired and do not count for its thickness. */
 template <typename TBlockAt>
 MedialVoxelWall
 MedialVoxelThickness::MeasureWall(const MedialVoxelWallPoints & wall, Direction & direction, TBlockAt && blockAt) const

@@ -55,7 +55,7 @@ private:
   double                                m_Inverse;
 };
 
-/** Those of a list that are near a place. */
+/** The items of a list that are near a place. */
 std::vector<Sample>
 SelectNear(const std::vector<Sample> & samples, const double place, const double reach)
 {
@@ -296,7 +296,7 @@ MedialVoxelWallFit::Fit(const std::vector<Sample> & samples, Wall & wall) const
   }
 }
 
-/** Values in the middle of two walls that the blur has joined are lower than those of one. */
+/** Values in the middle of two walls that the blur has joined are lower than in one wall. */
 bool
 MedialVoxelWallFit::IsResolved(const std::vector<Sample> & samples, const Wall & wall) const
 {

@@ -13,10 +13,10 @@ namespace
 
 using SidesType = MedialVoxelWallPoints::SidesType;
 
-/** The way through a wall, from the mean of the points on one side to that of those on the other. */
+/** The displacement through a wall, between the means of the points on both sides. */
 struct WallAxis
 {
-  MedialVoxelIndex across{};    // the way, times the numbers of points of both sides
+  MedialVoxelIndex across{};    // the displacement, times the numbers of points of both sides
   std::int64_t     middle{ 0 }; // how far along it the middle is, times twice these numbers
   std::int64_t     factor{ 0 }; // twice these numbers
 };
@@ -33,7 +33,7 @@ FromTo(const MedialVoxelIndex & a, const MedialVoxelIndex & b)
   return { { b[0] - a[0], b[1] - a[1], b[2] - a[2] } };
 }
 
-/** From the points in the first and the last quarter of the way from a to b, which a and b are among. */
+/** From the points in the first and the last quarter of the line from a to b, including a and b. */
 WallAxis
 FindWallAxis(const MedialVoxelWallPoints & wall)
 {
@@ -67,14 +67,14 @@ FindWallAxis(const MedialVoxelWallPoints & wall)
   return wallAxis;
 }
 
-/** How far from the middle a point belongs to no side, as a share of half of the way: it is on the end of the wall. */
+/** Points this near to the middle are on the end of the wall and belong to no side; a share of half the
+ * displacement. */
 double
 ShareOfEnds(const WallAxis & wallAxis)
 {
   constexpr double largestShare = 0.3;
-  constexpr double voxelsOfSides =
-    3.0; // of thin tilted walls, the points of a side are as far apart along the wallAxis
-  const double length = 2.0 * std::sqrt(static_cast<double>(DotProduct(wallAxis.across, wallAxis.across))) /
+  constexpr double voxelsOfSides = 3.0; // of thin tilted walls, the points of a side are as far apart along it
+  const double     length = 2.0 * std::sqrt(static_cast<double>(DotProduct(wallAxis.across, wallAxis.across))) /
                         static_cast<double>(wallAxis.factor);
   return std::clamp(1.0 - voxelsOfSides / length, 0.0, largestShare);
 }

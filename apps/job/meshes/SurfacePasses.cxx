@@ -97,9 +97,9 @@ SurfacePasses::Finish()
 }
 
 std::uint64_t
-SurfacePasses::GetWorkerBytesPerVoxel() const
+SurfacePasses::GetBytesPerVoxel() const
 {
-  return m_Passes.front()->observer->GetWorkerBytesPerVoxel();
+  return m_Passes.front()->observer->GetBytesPerVoxel();
 }
 
 auto
