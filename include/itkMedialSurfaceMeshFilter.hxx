@@ -69,7 +69,7 @@ template <typename TInputImage, typename TOutputMesh>
 SizeValueType
 MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetSlicesPerPiece() const
 {
-  // Labels of a piece, which nobody reads; larger ones gain nothing.
+  // Labels of a piece, which have no reader; larger pieces gain nothing.
   constexpr SizeValueType voxelsPerPiece = SizeValueType{ 1 } << 25;
   const auto &            size = m_LabelFilter->GetOutput()->GetLargestPossibleRegion().GetSize();
   return m_NumberOfSlicesPerPiece > 0 ? m_NumberOfSlicesPerPiece

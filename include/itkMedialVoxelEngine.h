@@ -24,7 +24,7 @@ namespace itk
  *
  * It walks a region slab by slab. Each slab has a window of object bits that holds all its tiles depend on. Workers
  * process the tiles and prepare the window of the next slab meanwhile. Results do not depend on regions, slabs, tiles
- * or threads. Windows of a region are kept for the next one, so that input that both depend on is asked for once.
+ * or threads. Windows of a region are kept for the next one, so shared input is read once.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelEngine
@@ -38,8 +38,7 @@ public:
   MedialVoxelEngine &
   operator=(const MedialVoxelEngine &) = delete;
 
-  /** Bytes that windows and all workers take while no tile of \a region depends on more than is known to begin
-   * with. */
+  /** Bytes of the windows and all workers while no tile of \a region depends on more than the halo. */
   std::uint64_t
   GetBytes(const MedialVoxelBox & region) const;
 
@@ -47,7 +46,7 @@ public:
   std::int64_t
   GetSlabThickness(const MedialVoxelBox & region) const;
 
-  /** Boxes of object voxels that the first slab of \a region starts with and the window does not hold. */
+  /** Boxes of object voxels that the first slab of \a region needs and the window lacks. */
   std::vector<MedialVoxelBox>
   GetMissingObjectBoxes(const MedialVoxelBox & region) const;
 

@@ -22,8 +22,8 @@ class MedialVoxel_EXPORT MedialVoxelEngineClient
 public:
   virtual ~MedialVoxelEngineClient();
 
-  /** Call \a work \a numberOfWorkers times, once of them in this thread and otherwise in as many threads as there are,
-   * and wait for all of them. It throws nothing. */
+  /** Call \a work \a numberOfWorkers times, once in this thread and otherwise in the available threads, and wait for
+   * all calls. \a work throws nothing. */
   virtual void
   RunWorkers(unsigned int numberOfWorkers, const std::function<void()> & work) = 0;
 

@@ -42,14 +42,14 @@ struct MedialVoxel_EXPORT MedialVoxelSheetExtraction
   /** Measure the walls at all medial cells. */
   bool measuresThickness{ false };
 
-  /** Measure walls on the gray values of the voxels; on the object without. */
+  /** Measure walls on the gray values of the voxels; unset: on the object. */
   std::optional<GrayRange> grayRange;
 
-  /** Someone sees the tiles, with so many bytes for each voxel of the tile of a worker. */
+  /** Whether observers see the tiles, and their memory for each voxel of the tile of a worker. */
   bool          isObserved{ false };
   std::uint64_t observerBytesPerVoxel{ 0 };
 
-  /** Who sees the tiles of the runs, which must outlive them; a plan needs none. */
+  /** Observers; must outlive the runs. Not needed for planning. */
   std::vector<MedialVoxelTileObserver *> observers;
 
   /** Let \a observer see the tiles, and count its memory. */
@@ -88,7 +88,7 @@ struct MedialVoxel_EXPORT MedialVoxelLocalThickness
   /** Diameter at which balls are cut, in the units of the spacing; positive and finite. */
   double maximumThickness{ 0.0 };
 
-  /** Components of the background inside the object, and of the object, of at most so many voxels change sides. */
+  /** Components of at most so many voxels change sides: of the background inside the object, then of the object. */
   std::uint64_t maximumPoreSize{ 0 };
 
   /** The extraction whose walls are painted, with its own maximumPoreSize; its other results are ignored. Unset:
@@ -111,7 +111,7 @@ using MedialVoxelEngineTask =
   std::variant<MedialVoxelSheetExtraction, MedialVoxelDistanceMap, MedialVoxelLocalThickness>;
 
 /** \struct MedialVoxelEngineSettings
- * \brief A task, and how its work is divided, which has no influence on results.
+ * \brief A task, and the division of its work, which has no influence on results.
  * \ingroup MedialVoxel
  */
 struct MedialVoxelEngineSettings
@@ -127,14 +127,14 @@ struct MedialVoxelEngineSettings
   /** Extent of the slabs along the slowest axis; 0 chooses. */
   std::int64_t slabThickness{ 0 };
 
-  /** Bytes that windows and the memory of all workers may take; 0 is without limit. */
+  /** Limit in bytes on the memory of windows and workers; 0 is without limit. */
   std::uint64_t memoryLimit{ 0 };
 
   /** Workers at the same time. */
   unsigned int numberOfWorkers{ 1 };
 
-  /** Prepare a second window for the next slab while this one is processed, where there are several workers and the
-   * memory limit leaves room for it. */
+  /** Prepare a second window for the next slab while this one is processed, if there are several workers and enough
+   * memory. */
   bool readsAhead{ true };
 };
 

@@ -132,8 +132,8 @@ extern MedialVoxel_EXPORT std::string
 
 } // end namespace itk
 
-/** Throws when \a value, of the property \a name of a filter, is no enumerator: a caller in another language can give
- * any number. */
+/** Throws when \a value of the filter property \a name is no enumerator: callers in other languages can give any
+ * number. */
 #define itkMedialVoxelCheckEnumMacro(name, value)                                             \
   if (const std::string problem = ::itk::MedialVoxelFindEnumProblem(value); !problem.empty()) \
   {                                                                                           \

@@ -21,7 +21,7 @@ constexpr std::int32_t MedialVoxelNoDisplacement = std::numeric_limits<std::int3
 /** \struct MedialVoxelFeatures
  * \brief Displacement in voxels from each voxel of a box to its nearest site.
  *
- * Voxels that were not asked for have the displacement zero; voxels without a site, or with one that is too far, have
+ * Voxels that were not requested have the displacement zero; voxels without a site within reach have
  * MedialVoxelNoDisplacement in every component.
  * \ingroup MedialVoxel
  */

@@ -119,8 +119,8 @@ public:
   itkGetConstMacro(GenerateVectorDistance, bool);
   itkBooleanMacro(GenerateVectorDistance);
 
-  /** Boundary that the vectors lead to: Object (default; their norm is the distance of
-   * SignedMaurerDistanceMapImageFilter inside the object) or Background (the vectors that classify the cells). */
+  /** Target of the vectors: Object (default; their norm is the distance of SignedMaurerDistanceMapImageFilter inside
+   * the object) or Background (the vectors that classify the cells). */
   itkMedialVoxelSetEnumMacro(VectorDistanceBoundary, BoundaryEnum);
   itkGetEnumMacro(VectorDistanceBoundary, BoundaryEnum);
 
@@ -160,8 +160,8 @@ public:
     return dynamic_cast<ThicknessImageType *>(this->ProcessObject::GetOutput(UncertaintyName));
   }
 
-  /** Thickness of the walls at medial cells, physical when UseImageSpacing is on, otherwise in voxels; negative at
-   * rims, zero elsewhere. Null unless GenerateThickness is on. */
+  /** Thickness of the walls at medial cells, physical when UseImageSpacing is on, otherwise in voxels; negative where
+   * sides are unpaired, zero elsewhere. Null unless GenerateThickness is on. */
   ThicknessImageType *
   GetThicknessOutput()
   {
@@ -215,7 +215,7 @@ private:
   bool         m_GenerateThickness{ false };
   bool         m_GenerateUncertainty{ false };
 
-  /** See each tile with its boundary points while it is at hand, and outlive the updates. Their memory counts for
+  /** Observers see each tile with its boundary points, and must outlive the updates. Their memory counts for
    * WorkingMemoryLimit. */
   std::vector<MedialVoxelTileObserver *> m_TileObservers;
 };

@@ -23,7 +23,7 @@ namespace itk
 class MedialVoxelFilterAccess;
 
 /** \class MedialVoxelImageFilterBase
- * \brief Streaming and threads that the filters of the MedialVoxel module share.
+ * \brief Streaming and threads, shared by the filters of the MedialVoxel module.
  *
  * The requested region is processed slab by slab along its slowest axis. For each slab the filter pulls the input that
  * the slab depends on, part by part, and packs it to one bit per voxel. Threads run the tiles of the slab in
@@ -98,8 +98,8 @@ protected:
   void
   GenerateData() override;
 
-  /** Runs the phases. Each thread of GenerateData() calls it, and takes part of the work on the requested region.
-   * Called by itself, it fills \a region of the outputs, which are allocated, and adds nothing to the counts. */
+  /** Runs the phases. Each thread of GenerateData() calls it and takes part of the work on the requested region. A
+   * separate call fills \a region of the allocated outputs and adds nothing to the counts. */
   void
   DynamicThreadedGenerateData(const OutputImageRegionType & region) override;
 
@@ -235,7 +235,7 @@ private:
   class Client;
   class PassProgress;
 
-  /** Call function(observer), which reads the input before the engine does, and can be stopped. */
+  /** Call function(observer), which reads the input before the engine does and can be aborted. */
   template <typename TFunction>
   auto
   ReadBeforeRun(TFunction && function);
@@ -250,7 +250,7 @@ private:
   unsigned int
   GetNumberOfWorkers() const;
 
-  /** The engine for the next execution: that of the last one when it continues the same streamed update. */
+  /** The engine for the next execution: the last one when it continues the same streamed update. */
   void
   PrepareEngine(const MedialVoxelGrid & grid);
 
@@ -258,8 +258,7 @@ private:
   void
   Pull(const MedialVoxelBox & part);
 
-  /** Edge in voxels of the tiles that threads work on, and voxels along the slowest axis between two pulls of input;
-   * 0 chooses. */
+  /** Edge of the tiles in voxels, and voxels along the slowest axis between two pulls of input; 0 chooses. */
   unsigned int m_TileSize{ 0 };
   unsigned int m_SlabThickness{ 0 };
 

@@ -156,7 +156,7 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateData()
   {
     m_Engine.reset();
     m_Work = nullptr;
-    // A buffer that is half written must not count as up to date when the same region is requested again.
+    // A half written buffer must not count as up to date when the same region is requested again.
     for (const auto & output : this->GetOutputs())
     {
       output->ReleaseData();
@@ -283,7 +283,7 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::MakeAbortException()
   return std::make_exception_ptr(exception);
 }
 
-/** A buffer is used again for the next piece; one that is too small must go first, or there would be two of them. */
+/** A buffer is used again for the next piece; free a small one first, so there are never two. */
 template <typename TInputImage, typename TOutputImage>
 void
 MedialVoxelImageFilterBase<TInputImage, TOutputImage>::ReleaseSmallOutputs()

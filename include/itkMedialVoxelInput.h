@@ -36,7 +36,7 @@ struct MedialVoxelObjectRule
 };
 
 /** \class MedialVoxelInput
- * \brief The object and the values of an image, as the tasks of a run need them.
+ * \brief The object and the values of an image, for the tasks of a run.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelInput : public MedialVoxelObjectSource
@@ -72,7 +72,7 @@ private:
 };
 
 /** \class MedialVoxelObjectInput
- * \brief One object, which a rule makes of values. It is smoothed always, never, or when it is rough; values stay.
+ * \brief One object, defined by a rule on values. It is smoothed always, never, or when it is rough; values stay.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelObjectInput : public MedialVoxelInput
@@ -131,7 +131,7 @@ private:
 };
 
 /** \class MedialVoxelLabelInput
- * \brief Many objects, each with a value of its own, which are shown in passes.
+ * \brief Many objects, each with its own value, processed in passes.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelLabelInput
@@ -140,7 +140,7 @@ class MedialVoxel_EXPORT MedialVoxelLabelInput
 {
 public:
   /** \param image all voxels
-   * \param labels          that are objects, none of them 0; empty: all values but 0
+   * \param labels          values of objects, none of them 0; empty: all values but 0
    * \param maximumPoreSize of the extraction */
   MedialVoxelLabelInput(MedialVoxelValueSource &          source,
                         const MedialVoxelBox &            image,

@@ -32,9 +32,9 @@ public:
  * \brief Finds the pairs of objects of a label map that may change each other's result, and passes without these pairs.
  *
  * Two objects whose voxels are at least 4 apart along one axis share no boundary voxel, and no path on the boundary
- * leads from one to the other. When small pores are filled, they must also be too far apart for one to lie in a pore of
- * the other, so that the reach grows with the size of the pores. Objects in the same block or in neighboring blocks, as
- * large as the reach, count as close; this finds all pairs, and some more.
+ * leads from one to the other. When small pores are filled, none may lie in a pore of the other, so the reach grows
+ * with the size of the pores. Objects in the same block or in neighboring blocks, as large as the reach, count as
+ * close; this finds all pairs, and some more.
  *
  * Objects have numbers from 1 on; 0 is the background. Rows are added from the first to the last, x fastest.
  * \ingroup MedialVoxel
@@ -48,32 +48,34 @@ public:
    * \param maximumPoreSize voxels of the largest pores that are filled, 0 for none */
   MedialVoxelObjectAdjacency(const MedialVoxelIndex & size, std::uint64_t maximumPoreSize);
 
-  /** Largest difference of indices, along the axis where it is largest, of voxels that may influence each other. */
+  /** Largest difference of indices, along any axis, of voxels that may influence each other. */
   static std::int64_t
   GetReach(const MedialVoxelIndex & size, std::uint64_t maximumPoreSize);
 
-  /** Bytes of the blocks of an image of this size, of which nearly none has more than MostInBlock objects. */
+  /** Bytes of the blocks of an image of this size, if nearly none has more than MostInBlock objects. */
   static std::uint64_t
   GetBytes(const MedialVoxelIndex & size, std::uint64_t maximumPoreSize);
 
-  /** More passes than a label map takes: objects of two voxels along each axis that fill an image take some dozens. */
+  /** More passes than any label map needs: an image full of objects of two voxels along each axis takes some dozens. */
   static constexpr std::size_t MostPasses = 128;
 
   /** Add the objects of the next row.
-   * \throw MedialVoxelLabelError as soon as objects that are all close to each other take more than MostPasses */
+   * \throw MedialVoxelLabelError as soon as a group of objects that are all close to each other needs more than
+   * MostPasses */
   void
   AddRow(const ObjectType * row);
 
   /** The pass of each object from 0 on, by number; no two close objects share a pass. Background has pass 0. The same
-   * for any order of the pairs: the object with the fewest passes left comes first, then that with most neighbors, then
-   * the smaller number; it gets the first pass that is free.
+   * for any order of the pairs: the object with the fewest passes left comes first, then most neighbors, then the
+   * smaller number; it gets the first free pass.
    * \param numberOfObjects not less than the largest number of a row
    * \throw MedialVoxelLabelError for more passes than MostPasses */
   std::vector<ObjectType>
   MakePasses(std::size_t numberOfObjects);
 
 private:
-  /** Objects of a block that are kept in place; lists for each of millions of blocks would take ten times the memory.
+  /** Objects of a block that are stored in place; a list for each of millions of blocks would take ten times the
+   * memory.
    */
   static constexpr std::size_t MostInBlock = 4;
 

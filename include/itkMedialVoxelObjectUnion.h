@@ -21,8 +21,8 @@ namespace itk
 /** \class MedialVoxelObjectUnion
  * \brief Puts the results of the passes over a label map together, region by region.
  *
- * Of two objects that have a cell, the one for which it is medial gets it, and otherwise the smaller one. The order of
- * passes changes nothing.
+ * A cell of two objects belongs to the one for which it is medial, otherwise to the smaller one. The order of passes
+ * changes nothing.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelObjectUnion
@@ -118,7 +118,7 @@ private:
     std::vector<std::vector<std::byte>> values; ///< of each kind
   };
 
-  /** Let an object have a cell, unless another one keeps it; valueOf(kind) has its values. No two threads have one
+  /** Give a cell to an object, unless another one keeps it; valueOf(kind) has its values. No two threads have the same
    * cell.
    */
   template <typename TValueOf>

@@ -52,7 +52,7 @@ public:
 };
 
 /** \class MedialVoxelNoProgress
- * \brief For work that nobody watches or aborts.
+ * \brief For work without observers or abort.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelNoProgress : public MedialVoxelProgress

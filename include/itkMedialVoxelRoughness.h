@@ -57,7 +57,7 @@ MedialVoxel_EXPORT MedialVoxelRoughness
 MedialVoxelMeasureRoughness(const MedialVoxelBits & object, const MedialVoxelBox & box, const MedialVoxelBox & image);
 
 /** \class MedialVoxelRoughnessPass
- * \brief How a whole object is read once, slices by slices, to be measured.
+ * \brief A pass over a whole object, slices by slices, to measure it.
  * \ingroup MedialVoxel
  */
 struct MedialVoxelRoughnessPass
@@ -68,7 +68,7 @@ struct MedialVoxelRoughnessPass
   /** Sets the bits of the object voxels of a box. */
   std::function<void(const MedialVoxelBox & box, MedialVoxelBits & object)> fill;
 
-  /** Does \a work for each of the boxes, in any order, also in several threads. */
+  /** Calls \a work for each of the boxes, in any order, also in several threads. */
   std::function<void(const Boxes & boxes, const Work & work)> forEach;
 
   /** Called with the share of the object that was read, from 0 to 1; may throw to abort. */

@@ -87,7 +87,7 @@ public:
   itkSetMacro(MaximumThickness, double);
   itkGetConstMacro(MaximumThickness, double);
 
-  /** Cavities and grains of up to this many voxels are taken for noise and left out.
+  /** Cavities and grains of up to this many voxels count as noise and change sides.
    *
    * From 0, which keeps all, to 1000000. Until a value is set, it is 0 when ThicknessMode is Fixed and 32 when it is
    * Automatic. The window on the input grows by this many voxels on each side. */

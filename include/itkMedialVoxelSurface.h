@@ -18,7 +18,7 @@ namespace itk
 /** \class MedialVoxelSurface
  * \brief Builds the medial surface of an image while an engine extracts its medial cells.
  *
- * The runs of the engine go through the image in whole slices along the last axis, which follow each other.
+ * The runs of the engine follow each other through the image in whole slices along the last axis.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelSurface
@@ -35,8 +35,8 @@ public:
     MedialVoxelGrid::SpacingType spacing{}; ///< in the units of the surface
     MedialVoxelSurfacePlacement  placement;
 
-    /** Branches that are shorter, and connected components of fewer quadrilaterals, are left out. For either, the
-     * surface is kept in memory until it is finished. */
+    /** Shorter branches, and components of fewer quadrilaterals, are removed. Either limit keeps the surface in memory
+     * until it is finished. */
     double        minimumBranchLength{ 0.0 };
     std::uint64_t smallestComponent{ 0 };
   };

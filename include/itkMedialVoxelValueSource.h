@@ -37,7 +37,8 @@ public:
   virtual MedialVoxelSourceThreads
   GetSourceThreads() const;
 
-  /** Rows, from a multiple of them on, that are best read together, in all slices of a box; 1, the default: slices are.
+  /** Number of rows, from a multiple of it on, to read together in all slices of a box; 1, the default: read whole
+   * slices.
    */
   virtual std::int64_t
   GetRowsReadTogether() const;
@@ -46,7 +47,7 @@ public:
   virtual std::int64_t
   GetSlicesReadTogether() const;
 
-  /** Call \a function(view) with all values of \a box, which are valid meanwhile. */
+  /** Call \a function(view) with all values of \a box, valid during the call. */
   virtual void
   WithBox(const MedialVoxelBox & box, const ViewFunction & function) = 0;
 

@@ -137,7 +137,7 @@ public:
     , m_Walker(grid, GetWalkerSettings(grid, settings))
   {}
 
-  /** Made for the first run, as its tables take time that a plan can do without. */
+  /** Made for the first run, because a plan does not need its tables. */
   const MedialVoxelTileTask &
   GetTask()
   {

@@ -141,7 +141,7 @@ MedialVoxelExecution::WaitForWork(Work & work)
   return false;
 }
 
-/** The calling thread gives signs of life meanwhile. Not of work that stops, whose observer may have thrown. */
+/** The calling thread updates observers meanwhile, unless the run is aborted: an observer may have thrown. */
 void
 MedialVoxelExecution::WaitForNews(std::unique_lock<std::mutex> & lock)
 {

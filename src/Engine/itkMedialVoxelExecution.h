@@ -77,7 +77,7 @@ private:
   void
   DoWork();
 
-  /** Wait until there is work to take; false when there is none for this thread, or the run stops. */
+  /** Wait until there is work to take; false when there is none for this thread, or the run is aborted. */
   bool
   WaitForWork(Work & work);
 

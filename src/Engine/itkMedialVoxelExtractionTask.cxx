@@ -110,7 +110,8 @@ MedialVoxelExtractionTask::Extract(const MedialVoxelBox &          box,
 {
   auto & workspace = static_cast<TileWorkspace &>(genericWorkspace);
   Tile   tile{ box, moving, moving.GetWindow(MedialVoxelBoundary::Background), progress, workspace };
-  // Objects of the neighboring tiles may have their boundary in a tile without object, which most of a thin part are.
+  // Objects of neighboring tiles may have their boundary in a tile without object. Most tiles of a thin part have no
+  // object.
   sums.counts.boundaryVoxels = tile.window.sites->Count(box);
   if (!tile.window.object->Any(m_Classifier.GetCornerBox(box)))
   {

@@ -92,7 +92,7 @@ MedialVoxelLengthTask::Process(const MedialVoxelBox &          tile,
   return {};
 }
 
-/** Give the voxels whose lengths are doubtful once more, with their boundary voxels. */
+/** Write voxels of doubtful length again, by their boundary voxels. */
 void
 MedialVoxelLengthTask::TakeDoubtful(const MedialVoxelBox &          tile,
                                     const MedialVoxelMovingWindow & window,

@@ -124,7 +124,7 @@ MedialVoxelMovingWindow::VisitBits(TWindow & window, TVisitor && visit)
   }
 }
 
-/** Of a list of a component, and of the voxels that have changed, which are few as a rule. */
+/** Of the list of a component, and of the changed voxels, which are few. */
 std::uint64_t
 MedialVoxelMovingWindow::GetBytesOfChanges(const MedialVoxelBox & sites) const
 {

@@ -27,30 +27,28 @@ MedialVoxel_EXPORT std::vector<MedialVoxelBox>
 /** \class MedialVoxelMovingWindow
  * \brief Object and boundary bits of a box that moves over the image.
  *
- * Bits that the old box and the new one share are kept, or copied from another window that has them, so that the source
- * is asked once for a voxel as long as the window does not return to it. A move is done in parts, by any number of
- * threads: begin, fill all parts, change small components, mark the boundary of all parts. When small components are
- * changed, the object bits reach farther than the rest, by the margin that this depends on; the source is asked for
- * values, which do not, on their own.
+ * Bits that the old and the new box share are kept, or copied from another window, so the source is asked once for a
+ * voxel as long as the window does not return to it. A move is done in parts, by any number of threads: begin, fill all
+ * parts, change small components, mark the boundary of all parts. Changing small components extends the object bits by
+ * a margin. Gray values are not extended by it; they are requested separately.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelMovingWindow
 {
 public:
-  /** \a kinds lists the boundaries that are kept; \a keepsNotANumber says whether voxels that are not a number are, and
-   * \a keepsGray whether the values of voxels are. MedialVoxelSmallComponents of at most \a maximumPoreSize voxels
-   * change sides. */
+  /** \a kinds lists the boundaries that are kept, \a keepsNotANumber keeps bits of NaN voxels, \a keepsGray keeps
+   * values. MedialVoxelSmallComponents of at most \a maximumPoreSize voxels change sides. */
   MedialVoxelMovingWindow(const MedialVoxelGrid &          grid,
                           std::vector<MedialVoxelBoundary> kinds,
                           bool                             keepsNotANumber = false,
                           bool                             keepsGray = false,
                           std::uint64_t                    maximumPoreSize = 0);
 
-  /** Voxels whose object bits are needed to know the boundaries in \a sites. */
+  /** Voxels whose object bits decide the boundaries in \a sites. */
   MedialVoxelBox
   GetObjectBox(const MedialVoxelBox & sites) const;
 
-  /** Voxels that the source is asked for to know the object bits that are needed in \a sites. */
+  /** Voxels of the source that decide the object bits for \a sites. */
   MedialVoxelBox
   GetInputBox(const MedialVoxelBox & sites) const;
 
@@ -74,8 +72,8 @@ public:
   void
   Clear();
 
-  /** Move in one thread so that the boundaries are known in \a sites, a box inside the image. Memory that has to be
-   * taken for that suffices for sites as many as \a largestSites has too. */
+  /** Move in one thread, to know the boundaries in \a sites, a box inside the image. New memory suffices for \a
+   * largestSites too. */
   void
   MoveTo(const MedialVoxelBox & sites, const MedialVoxelBox & largestSites, MedialVoxelObjectSource & source);
 
@@ -90,7 +88,7 @@ public:
   std::vector<MedialVoxelBox>
   CutToFill(std::int64_t number, std::int64_t rows) const;
 
-  /** Know the object bits of a part as the source has them. Several threads may do so for different parts. */
+  /** Fill the object bits of a part from the source. Several threads may fill different parts. */
   void
   Fill(const MedialVoxelBox & part, MedialVoxelObjectSource & source);
 
@@ -107,7 +105,7 @@ public:
   std::vector<MedialVoxelBox>
   CutToMark(std::int64_t number) const;
 
-  /** Mark the boundary in a part. Several threads may do so for different parts. */
+  /** Mark the boundary in a part. Several threads may mark different parts. */
   void
   Mark(const MedialVoxelBox & part);
 
@@ -115,8 +113,8 @@ public:
   MedialVoxelWindow
   GetWindow(MedialVoxelBoundary kind) const;
 
-  /** Object bits; final in GetObjectBox(), and around it as far as GetInputBox() as the source gave them, but for
-   * components that have changed. */
+  /** Object bits: final in GetObjectBox(); around it, up to GetInputBox(), as in the source except for changed
+   * components. */
   const MedialVoxelBits &
   GetObject() const
   {

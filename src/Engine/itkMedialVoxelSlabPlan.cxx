@@ -16,7 +16,7 @@ namespace itk
 namespace
 {
 
-/** Tiles of a slab, of all of it and for each thread, below which threads would wait for each other. */
+/** Fewest tiles of a slab, in total and for each thread; with fewer, threads would wait for each other. */
 constexpr std::int64_t EnoughTiles = 64;
 constexpr std::int64_t EnoughTilesOfWorker = 4;
 
@@ -38,7 +38,7 @@ constexpr std::int64_t WideTileSlices = 16;
 constexpr unsigned int ManyWorkers = 8;
 constexpr unsigned int VeryManyWorkers = 32;
 
-/** Voxels of tiles of whole rows, when they are for several workers and for a single one, and their slices. */
+/** Voxels of tiles of whole rows, for several workers and for a single one, and their slices. */
 constexpr std::int64_t VoxelsOfTiles = std::int64_t{ 1 } << 20;
 constexpr std::int64_t VoxelsOfOnlyTile = 4 * VoxelsOfTiles;
 constexpr std::int64_t SlicesOfRows = 16;
@@ -222,7 +222,7 @@ MedialVoxelSlabPlan::PreferredCut(const MedialVoxelBox & region, const MedialVox
 bool
 MedialVoxelSlabPlan::MakeFiner(Cut & cut) const
 {
-  // Smaller tiles and thinner slabs both repeat more of the work of the halo, but only the tiles keep threads busy.
+  // Smaller tiles and thinner slabs both repeat more work of the halo, but only more tiles keep threads busy.
   std::int64_t & edge = cut.tileSize[1];
   if (m_Settings.tileSize <= 0 && m_SlowestAxis == 2 && edge > SmallestTileEdge)
   {
@@ -248,7 +248,7 @@ MedialVoxelSlabPlan::ChooseCut(const MedialVoxelBox & region, const MedialVoxelI
     {
       continue;
     }
-    // Bounds of distances are coarse, so that a smaller halo may suffice.
+    // Bounds of distances are coarse, so a smaller halo may suffice.
     const std::int64_t largest = *std::max_element(cut.halo.begin(), cut.halo.end());
     if (largest == 0)
     {

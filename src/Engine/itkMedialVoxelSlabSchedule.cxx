@@ -15,13 +15,13 @@ namespace itk
 namespace
 {
 
-/** Of more tiles in a slab the longest ones make no difference at its end. */
+/** With more tiles in a slab, its longest ones do not matter at its end. */
 constexpr std::size_t MostSortedTiles = 4096;
 
 /** Parts of a window for each worker, so that no worker waits long for the last part of another one. */
 constexpr std::int64_t PartsPerWorker = 4;
 
-/** Workers from which a window that has to grow is copied by all of them: fewer gain less than its memory costs. */
+/** From so many workers on, all of them copy a growing window; fewer gain less than its memory costs. */
 constexpr unsigned int ManyWorkers = 4;
 
 bool
@@ -95,7 +95,7 @@ MedialVoxelSlabSchedule::HasWork(const bool isCallingThread) const
   });
 }
 
-/** While there are tiles, half of the threads do without the device that voxels come from. */
+/** While there are tiles, half of the threads do not read voxels. */
 bool
 MedialVoxelSlabSchedule::MayTake(const Slab & slab, const bool isCallingThread) const
 {

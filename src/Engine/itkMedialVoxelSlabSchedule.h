@@ -22,11 +22,10 @@ namespace itk
  *
  * A slab goes through phases: the parts of its window are filled and get their boundary, then its tiles are processed.
  * Work of a phase may be done in any order and at the same time. While one slab has its tiles, the window of the next
- * one is prepared, and its tiles begin as soon as the first slab has no more of them to hand out. Tiles that turn out
- * to depend on more than their window holds are deferred and say how much more; they follow as a slab of their own.
+ * one is prepared, and its tiles begin as soon as the first slab has no more of them to hand out. Tiles that depend on
+ * more than their window holds are deferred with the sites they need; they follow as a slab of their own.
  *
- * It knows neither threads nor clocks: the caller sees to it that one thread at a time calls it, but for
- * DoWindowWork().
+ * It knows neither threads nor clocks. One thread at a time may call it, except for DoWindowWork().
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelSlabSchedule
@@ -100,7 +99,7 @@ public:
     return m_State.windows[work.window];
   }
 
-  /** Put a tile off until the sites in \a needed are known; to be completed all the same. */
+  /** Defer a tile until the sites in \a needed are known; Complete() follows all the same. */
   void
   Defer(const Work & work, const MedialVoxelBox & needed);
 

@@ -21,7 +21,7 @@ class MedialVoxel_EXPORT MedialVoxelScheduleRunner
 public:
   virtual ~MedialVoxelScheduleRunner();
 
-  /** Do all work of \a schedule with any number of threads. Throws to stop. */
+  /** Do all work of \a schedule with any number of threads. Throws to abort. */
   virtual void
   RunSchedule(MedialVoxelSlabSchedule & schedule) = 0;
 };

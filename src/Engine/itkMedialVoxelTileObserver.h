@@ -17,7 +17,7 @@ namespace itk
 {
 
 /** \struct MedialVoxelClassifiedTile
- * \brief All that is known of a tile whose cells are decided.
+ * \brief The data of a tile whose cells are decided.
  * \ingroup MedialVoxel
  */
 struct MedialVoxelClassifiedTile
@@ -60,7 +60,7 @@ public:
 
   virtual ~MedialVoxelTileObserver();
 
-  /** Bytes that the workspace of a worker takes for each voxel of a tile, which count for the memory limit. */
+  /** Bytes of a worker's workspace for each voxel of a tile; they count for the memory limit. */
   virtual std::uint64_t
   GetBytesPerVoxel() const = 0;
 

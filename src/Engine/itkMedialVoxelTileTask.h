@@ -41,7 +41,7 @@ public:
 
   /** Compute one tile and give it to \a client.
    *
-   * \return an empty box when done, otherwise the sites that must be known, in which case nobody has got anything */
+   * \return an empty box when done, otherwise the sites that must be known; then no observer or client was called */
   virtual MedialVoxelBox
   Process(const MedialVoxelBox &          tile,
           const MedialVoxelMovingWindow & window,

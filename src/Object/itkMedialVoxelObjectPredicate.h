@@ -19,7 +19,7 @@ namespace itk
 {
 
 /** \class MedialVoxelObjectPredicate
- * \brief Which pixel values are object, and the packing of rows of pixels into bits.
+ * \brief Decides which pixel values are object, and packs rows of pixels to bits.
  *
  * Every value but the background value is object, or one value, or every value from a lower to an upper limit. Limits
  * are compared as numbers: between two values of the pixel type they act like the next value inside, and beyond the
@@ -91,7 +91,7 @@ private:
   LimitType m_Upper{};
 };
 
-/** \brief True when all bytes of \a count pixels are zero, which for numbers means that all are 0.
+/** \brief True when all bytes of \a count pixels are zero, so that all numbers are 0.
  * \ingroup MedialVoxel
  */
 template <typename TPixel>

@@ -33,7 +33,7 @@ namespace itk
 class MedialVoxel_EXPORT MedialVoxelSmallComponents
 {
 public:
-  /** Changes components of at most \a maximumSize voxels, of which a list is kept; 0 changes nothing. */
+  /** Changes components of at most \a maximumSize voxels; 0 changes nothing. Keeps a list of so many voxels. */
   MedialVoxelSmallComponents(const MedialVoxelGrid & grid, std::uint64_t maximumSize);
 
   /** False when nothing is ever changed. */

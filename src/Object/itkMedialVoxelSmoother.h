@@ -24,7 +24,7 @@ namespace itk
 /** \brief Numbers of the smoothing F = 3 B^2 - 2 B^4, where B is the binomial step [1 2 1] / 4 along each axis.
  *
  * F removes noise and leaves edges and thin walls in place, since it has the same first three moments as no smoothing.
- * Beyond a face of the image it is as if the image were mirrored at the face. Values are integers times Scale.
+ * Beyond its faces the image is mirrored. Values are integers times Scale.
  * \ingroup MedialVoxel
  */
 struct MedialVoxelSmoothingNumbers
@@ -54,7 +54,7 @@ struct MedialVoxelSmoothingNumbers
 };
 
 /** \brief Call \a function(part) for strips of \a rows rows in a few slices of \a box, each of which is best read
- * together with its margin: few voxels are in memory, and few are read twice.
+ * together with its margin: this needs little memory and reads few voxels twice.
  * \ingroup MedialVoxel
  */
 template <typename TFunction>
@@ -132,7 +132,7 @@ private:
  * \brief Values are smoothed and compared with a threshold.
  *
  * Exact for integers of up to 32 bits; others are doubles, which are added in one order. Values that are not finite
- * count as the threshold, which is for neither side, and NaN stays background.
+ * count as the threshold, which favors no side; NaN stays background.
  * \ingroup MedialVoxel
  */
 template <typename TPixel>

@@ -173,7 +173,7 @@ MedialVoxelObjectInput::SurveyScan(const MedialVoxelGrid &                      
                                    const std::optional<MedialVoxelScanLevels> & levels,
                                    const Observer &                             observer)
 {
-  // With these the survey stays below the smallest limit of memory.
+  // With these, the survey stays below the smallest memory limit.
   constexpr unsigned int mostThreads = 3;
   if (std::isfinite(lower) == std::isfinite(upper))
   {
