@@ -250,7 +250,7 @@ MedialVoxelCellPairs::Choose(const MedialVoxelFeatures & features,
   const unsigned int oppositeNumber = m_Cell.GetOppositeCorner(widest.number);
   const std::size_t  first = this->OffsetOf(features, offset, widest.number);
   const std::size_t  second = this->OffsetOf(features, offset, oppositeNumber);
-  // One by one: as arrays they would be written to memory in parts and read at once, which stalls.
+  // One by one: arrays would be written to memory in parts and read at once, which stalls.
   const std::int64_t              ax = features.dx[first];
   const std::int64_t              ay = features.dy[first];
   const std::int64_t              az = features.dz[first];

@@ -94,7 +94,7 @@ MedialVoxelClassifier::Classify(const MedialVoxelWindow &   window,
   MedialVoxelTileLabels      tileLabels(tile, labels, counts, workspace.keepsRows ? &workspace.rows : nullptr);
   if (!m_Joint || workspace.keepsRows)
   {
-    // Observers, who get the rows, go on with searches around the same tile.
+    // Observers get the rows and continue searches around the same tile.
     m_Decision.Begin(*window.sites, tile, workspace.geodesic);
   }
   const MedialVoxelBox missing = m_Joint ? m_Joint->Classify(input, workspace.joint, tileLabels)

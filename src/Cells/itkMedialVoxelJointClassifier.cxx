@@ -98,7 +98,7 @@ MedialVoxelJointClassifier::DecideByNeighbors(const MedialVoxelBits & sites,
   return true;
 }
 
-/** From the edges of walls inwards, as each cell may follow the one before. */
+/** From the edges of walls inwards, because each cell may follow the one before. */
 void
 MedialVoxelJointClassifier::SortInwards(const Workspace &   workspace,
                                         const QueryIterator first,
@@ -108,7 +108,7 @@ MedialVoxelJointClassifier::SortInwards(const Workspace &   workspace,
   std::sort(first, last, [&](const Query & i, const Query & j) { return cells[i.cell].radius < cells[j.cell].radius; });
 }
 
-/** Decide the cells of branches that follow others; branches are in walls that are thicker than they are. */
+/** Decide the cells of branches that follow others; branches lie in walls that are thicker than the branch. */
 void
 MedialVoxelJointClassifier::LabelBranches(const MedialVoxelBits & sites,
                                           Workspace &             workspace,
@@ -344,7 +344,7 @@ MedialVoxelJointClassifier::LabelShortPair(const MedialVoxelBits & sites,
   return true;
 }
 
-/** Decide the cells whose points no path joins that is shorter than any threshold they can have. */
+/** Decide cells when no path between their points is shorter than any threshold they can have. */
 void
 MedialVoxelJointClassifier::SeparateByBlocks(const MedialVoxelTileInput & input,
                                              Workspace &                  workspace,
@@ -459,8 +459,8 @@ MedialVoxelJointClassifier::FloodLength(const MedialVoxelBits & sites, const Med
   }
 }
 
-/** At least the geodesic distance of a cell, when so few edges join its points that all of them together are shorter
- * than \a epsilon; otherwise infinite. */
+/** An upper bound of the geodesic distance of a cell, when its points are joined by so few edges that their sum is
+ * shorter than \a epsilon; otherwise infinite. */
 double
 MedialVoxelJointClassifier::LengthOfFewEdges(const MedialVoxelBits & sites,
                                              const Cell &            cell,

@@ -38,7 +38,7 @@ MedialVoxelJointClassifier::FindCell(const Workspace & workspace, const MedialVo
   }
   const Cell * const found = workspace.m_Cells.data() + ranks.RankOf(word, cell[1], cell[2], bit);
 #if defined(__GNUC__)
-  // Cells are asked for in their order, which processors do not see in time.
+  // Cells are requested in their order, but processors do not prefetch them.
   constexpr std::ptrdiff_t ahead = 8;
   __builtin_prefetch(found + ahead);
   __builtin_prefetch(reinterpret_cast<const char *>(found + ahead) + 64);
@@ -98,7 +98,7 @@ MedialVoxelJointClassifier::GetBoundMargin(const MedialVoxelTileInput &  input,
   return labels.GetTile().Contains(input.cells) ? 0.0 : EdgesOfBoundMargin * m_Grid.GetLongestEdge();
 }
 
-/** At least the threshold of a cell with a ball of \a radius or 0. */
+/** An upper bound of the threshold of a cell with a ball of \a radius or 0. */
 double
 MedialVoxelJointClassifier::GetLargestEpsilon(const MedialVoxelIndex & cell,
                                               const double             radius,

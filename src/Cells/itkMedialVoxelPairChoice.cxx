@@ -22,7 +22,7 @@ constexpr std::int64_t ChoiceSize = 8;
 constexpr std::int32_t Limit = 16;
 
 /** Number whose sign bit is set unless -1 <= a - b + corner <= 1, with corner = 1 or -1 the offset between two corners.
- * Unsigned, as undefined displacements wrap. */
+ * Unsigned, because undefined displacements wrap. */
 template <int VCorner>
 inline std::uint32_t
 NontrivialSign(const std::int32_t a, const std::int32_t b)
@@ -112,7 +112,7 @@ AddFractions(const MedialVoxelCornerRows & corners,
   const auto shifted = [](const std::int32_t steps) { return static_cast<std::uint32_t>(steps) + Limit; };
   for (std::int64_t i = 0; i < numberOfCells; ++i)
   {
-    // Twice the way from the center to the boundary points.
+    // Twice the vectors from the center to the boundary points.
     const float ax = stepX + 2.0F * static_cast<float>(x[0][i]);
     const float ay = stepY + 2.0F * static_cast<float>(y[0][i]);
     const float az = -1.0F + 2.0F * static_cast<float>(z[0][i]);
@@ -180,7 +180,7 @@ MEDIALVOXEL_FOR_PROCESSORS std::uint64_t
     std::uint32_t nontrivial[GroupSize] = {};
     if (numberOfCells - begin >= GroupSize)
     {
-      // A number of cells that is known beforehand makes a loop without remainder.
+      // A constant number of cells makes a loop without remainder.
       NontrivialOfGroup(corners, begin, GroupSize, nontrivial);
     }
     else

@@ -241,7 +241,7 @@ MedialVoxelReachingVoxels::MedialVoxelReachingVoxels(const MedialVoxelGrid & gri
 MedialVoxelIndex
 MedialVoxelReachingVoxels::GetSteps(const double distance) const
 {
-  // Shifts are less than a word; a test of fewer steps is as right, and leaves out less.
+  // Shifts are less than a word; a test of fewer steps is correct, and keeps more voxels.
   constexpr double most = MedialVoxelBits::BitsPerWord - 1;
   const double     depth = (distance - m_HalfDiagonal) * (1.0 - MedialVoxelResolutionBand);
   MedialVoxelIndex steps{ { 0, 0, 0 } };

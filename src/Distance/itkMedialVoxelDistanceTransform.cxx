@@ -63,7 +63,7 @@ StepsToUnknown(const MedialVoxelGrid & grid, const MedialVoxelBox & known, const
 }
 
 #if defined(__GNUC__)
-/** Columns that are counted at once. A loop over them would be taken apart into single ones. */
+/** Columns that are counted at once. Compilers would split a loop over them into single ones. */
 using Vector [[gnu::vector_size(Columns * sizeof(std::int16_t))]] = std::int16_t;
 #endif
 
@@ -248,7 +248,7 @@ MedialVoxelDistanceTransform::Search::CountBeside()
   count(m_Memory.m_Above, above, std::min(above + m_Reach, known.upper[2]));
 }
 
-/** Copy a word of all rows and slices, which lie far from each other and are asked for several times. */
+/** Copy a word of all rows and slices: they lie far from each other and are read several times. */
 void
 MedialVoxelDistanceTransform::Search::CopyWords(const std::int64_t word)
 {

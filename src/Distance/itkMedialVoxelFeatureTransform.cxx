@@ -22,7 +22,7 @@ namespace
 constexpr double NearRadius = 3.0;
 constexpr double FarRadius = 6.0;
 
-/** Part of the voxels that the smaller ball may leave for the larger one to be tried. */
+/** Share of the voxels that the smaller ball may leave before the larger one is tried. */
 constexpr std::uint64_t ThinPart = 8;
 
 /** Longest displacement of a tile, in voxels, from which the next one is taken for thick. */
@@ -112,7 +112,7 @@ MedialVoxelFeatureTransform::Compute(const MedialVoxelWindow &         window,
   tile.words = ((tileBox.upper[0] - 1) >> 6) - tile.firstWord + 1;
   tile.remaining.resize(static_cast<std::size_t>(tile.words * tileBox.Extent(1) * tileBox.Extent(2)));
 
-  // A guess that costs time where it is wrong, but changes nothing.
+  // A wrong guess costs time, but changes no result.
   const bool isThick = m_Grid.HasEqualSpacing() && workspace.m_Slices.reach >= ThickReach;
   for (std::int64_t z = tileBox.lower[2]; z < tileBox.upper[2]; ++z)
   {
@@ -144,7 +144,7 @@ MedialVoxelFeatureTransform::Compute(const MedialVoxelWindow &         window,
   return this->MissingBox(tile);
 }
 
-/** Let all voxels of a slice that are asked for remain; their number. */
+/** Let all requested voxels of a slice remain; returns their number. */
 std::uint64_t
 MedialVoxelFeatureTransform::FindQueries(Tile & tile, const std::int64_t z) const
 {

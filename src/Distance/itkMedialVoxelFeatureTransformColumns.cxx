@@ -67,7 +67,7 @@ struct MedialVoxelFeatureTransform::ColumnGroup
   MedialVoxelBox   search;
   MedialVoxelIndex margin;
 
-  /** Passes along x and y, one slice after the other, as only the slice at hand needs its costs along x. */
+  /** Passes along x and y, one slice after the other, because only the current slice needs its costs along x. */
   void
   SearchSlices() const
   {

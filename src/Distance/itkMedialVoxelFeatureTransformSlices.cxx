@@ -166,7 +166,7 @@ MedialVoxelFeatureTransform::SliceSearch::Prepare(const std::int64_t z, const st
   m_Memory.passed.clear();
   m_FirstSlice = z;
 
-  // As many slices as there is room to remember the sites of; a single one always fits.
+  // As many slices as the memory of their sites allows; a single one always fits.
   m_EndSlice = z;
   std::uint64_t      sites = 0;
   const std::int64_t mostEnd = std::min(m_Tile.remainingBox.upper[2], z + MostSlices);
@@ -225,8 +225,7 @@ MedialVoxelFeatureTransform::SliceSearch::SearchSlice(const std::int64_t z)
 
 /** For each block of rows the columns that have a voxel of the region in it.
  *
- * No other voxel but a site lies on the way along x from a voxel to its nearest site: wherever the region ends, a
- * site is met. */
+ * Along x, a voxel reaches a site before the region ends. */
 void
 MedialVoxelFeatureTransform::SliceSearch::FindWanted(const std::int64_t z)
 {

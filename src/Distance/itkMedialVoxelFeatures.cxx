@@ -16,7 +16,7 @@ MedialVoxelFeatures::Reset(const MedialVoxelBox & newBox)
   {
     if (size > component->capacity())
     {
-      // Freed before more is taken, so that both are never there at the same time.
+      // Free the old memory first, so that both never exist at the same time.
       std::vector<std::int32_t>().swap(*component);
       component->resize(size);
       continue;

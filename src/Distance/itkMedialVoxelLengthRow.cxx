@@ -130,7 +130,7 @@ MedialVoxelLengthRow::AppendDoubtful(const double                spacing,
                                      const std::int32_t          end,
                                      std::vector<std::int32_t> & squares)
 {
-  // More than the rounding of both ways together, of at most five and a half half units.
+  // More than the rounding of both computations together, at most five and a half half units.
   constexpr double        error = 4.0 * std::numeric_limits<double>::epsilon();
   MedialVoxelAbortChecker checker;
   for (std::int32_t square = begin; square < end; ++square)

@@ -11,7 +11,7 @@
 #include <tuple>
 #include <utility>
 
-// Costs and positions never overlap, which compilers must know to vectorize short lines.
+// Costs and positions never overlap; compilers must know to vectorize short lines.
 #if defined(_MSC_VER)
 #  define MEDIALVOXEL_RESTRICT __restrict
 #else

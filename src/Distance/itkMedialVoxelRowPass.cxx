@@ -20,7 +20,7 @@ constexpr std::size_t VectorSize = 32;
 constexpr std::int64_t FirstReach = 16;
 
 #if defined(__GNUC__)
-/** Doubles that are added and compared at once. A loop over them would be taken apart into single ones. */
+/** Doubles that are added and compared at once. Compilers would split a loop over them into single ones. */
 template <std::size_t VSize>
 struct Vector
 {

@@ -54,7 +54,7 @@ MedialVoxelBits::Reshape(const MedialVoxelBox & box)
   const std::size_t words = WordsOfBox(box);
   if (words > m_Words.capacity())
   {
-    // Freed before more is taken, so that both are never there at the same time.
+    // Free the old memory first, so that both never exist at the same time.
     Words().swap(m_Words);
   }
   m_Words.assign(words, 0);
@@ -137,8 +137,8 @@ NumberOfRow(const MedialVoxelBox & box, const std::int64_t y, const std::int64_t
   return (z - box.lower[2]) * box.Extent(1) + y - box.lower[1];
 }
 
-/** By how much the numbers of the rows that boxes share grow from one box to the other, at the first and the last slice
- * of these rows; between them it lies between. */
+/** Growth of the numbers of shared rows from one box to the other, at the first and the last slice of these rows; in
+ * between it lies between both. */
 std::array<std::int64_t, 2>
 GrowthOfNumbers(const MedialVoxelBox & from, const MedialVoxelBox & to, const MedialVoxelBox & shared)
 {

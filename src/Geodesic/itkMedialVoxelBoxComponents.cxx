@@ -84,7 +84,7 @@ MedialVoxelBoxComponents::Join(const std::size_t row, const std::size_t otherRow
         const std::uint32_t otherRoot = this->RootOf(other);
         const std::uint32_t first = std::min(root, otherRoot);
         m_Runs[root].parent = m_Runs[otherRoot].parent = first;
-        // Short ways to the root.
+        // Short paths to the root.
         m_Runs[run].parent = m_Runs[other].parent = first;
       }
     }

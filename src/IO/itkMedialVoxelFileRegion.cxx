@@ -40,7 +40,7 @@ Fail(const TParts &... parts)
 }
 
 /** \class PositionedFile
- * \brief A file without a buffer of its own, so that a short run does not move a buffer full. */
+ * \brief A file without a buffer, so that a short run does not read a whole buffer. */
 class PositionedFile
 {
 public:

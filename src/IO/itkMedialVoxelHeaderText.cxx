@@ -25,7 +25,7 @@ Fail(HeaderError::Kind kind, const TParts &... parts)
   throw HeaderError(kind, message.str());
 }
 
-/** A message stays readable however long the values are that a header has. */
+/** Keeps a message readable when a header has long values. */
 std::string
 Shorten(const std::string & text)
 {

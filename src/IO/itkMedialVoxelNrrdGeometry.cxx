@@ -67,8 +67,8 @@ ParseVectors(const MedialVoxelNrrdHeader & header, const std::string & field, co
   return vectors;
 }
 
-/** Signs that bring the coordinates of a space into the one of ITK: left, posterior, superior. Spaces that do not say
- * where they point are taken as they are. */
+/** Signs that bring the coordinates of a space into the one of ITK: left, posterior, superior. Spaces without
+ * anatomical directions stay as they are. */
 std::vector<double>
 ReadSpace(MedialVoxelNrrdHeader & header)
 {

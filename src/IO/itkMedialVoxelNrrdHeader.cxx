@@ -125,7 +125,7 @@ struct HeaderText
   std::vector<std::string>           listedFiles;
 };
 
-/** Field names are told apart without regard to case and blanks: "data file" is "datafile". */
+/** Field names are compared without case and blanks: "data file" is "datafile". */
 std::string
 CanonicalName(const std::string & name)
 {

@@ -77,7 +77,7 @@ MedialVoxelGray::Frame(const MedialVoxelBox & box, const MedialVoxelBox & larges
   const std::uint64_t bytes = this->GetBytesToFrame(box, largestBox);
   if (bytes != this->GetReservedBytes())
   {
-    // Freed before more is taken, so that both are never there at the same time.
+    // Free the old memory first, so that both never exist at the same time.
     std::vector<float>().swap(m_Values);
     m_Values.resize(static_cast<std::size_t>(bytes / sizeof(float)));
   }

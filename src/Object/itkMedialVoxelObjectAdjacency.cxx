@@ -44,7 +44,7 @@ MakePair(const MedialVoxelObjectAdjacency::ObjectType first, const MedialVoxelOb
   return first < second ? (std::uint32_t{ first } << 16 | second) : (std::uint32_t{ second } << 16 | first);
 }
 
-/** Pairs that are kept twice before they are sorted for the first time. */
+/** Pairs that may be stored twice before the first sort. */
 constexpr std::size_t MostUnsorted = std::size_t{ 1 } << 16;
 
 /** A power of two; the pair of 0 and 0 is none. */

@@ -238,8 +238,8 @@ private:
     }
   }
 
-  /** Collects the component and inverts it on the way; false as soon as it is too large, reaches the edge of the bits
-   * or does not begin at the seed. */
+  /** Collects the component and inverts it; false as soon as it is too large, reaches the edge of the bits or does not
+   * begin at the seed. */
   bool
   InvertComponent(const Voxel & seed)
   {
@@ -361,7 +361,7 @@ MedialVoxelSmallComponents::Change(const MedialVoxelBox &  box,
   }
   const MedialVoxelBox seeds = box.Expanded(m_Margin).Intersection(object.GetBox());
   ComponentChange(m_Grid, m_MaximumSize, false, object, changed).Run(seeds, seeds);
-  // Beside the box it is not known which object components are surrounded by pores.
+  // Outside the box, object components may be surrounded by pores.
   ComponentChange(m_Grid, m_MaximumSize, true, object, changed).Run(seeds, box);
 }
 

@@ -13,7 +13,8 @@ namespace
 /** Edges that are tested together. */
 constexpr std::int64_t GroupSize = 16;
 
-/** Number whose sign bit is set unless -1 <= lower - upper - step <= 1. Unsigned, as undefined displacements wrap. */
+/** Number whose sign bit is set unless -1 <= lower - upper - step <= 1. Unsigned, because undefined displacements
+ * wrap. */
 inline std::uint32_t
 NontrivialSign(const std::int32_t lower, const std::int32_t upper, const std::uint32_t step)
 {
@@ -62,7 +63,7 @@ MEDIALVOXEL_FOR_PROCESSORS std::uint64_t
     {
       continue;
     }
-    // A number of edges that is known beforehand makes a loop without remainder.
+    // A constant number of edges makes a loop without remainder.
     const std::uint64_t bits = number - begin >= GroupSize
                                  ? NontrivialOfGroup(lower, upper, axis, begin, GroupSize)
                                  : NontrivialOfGroup(lower, upper, axis, begin, number - begin);

@@ -160,7 +160,7 @@ MedialVoxelSurfaceBranches::JoinSheets(const MedialVoxelSurfaceFaces & faces)
 }
 
 /** Distances below the length; the others stay infinite. The shortest sums do not depend on the order of the faces, so
- * that walking to and fro until nothing changes needs no queue. */
+ * sweeps to and fro until nothing changes need no queue. */
 void
 MedialVoxelSurfaceBranches::MeasureDistances(const float                     length,
                                              const MedialVoxelSurfaceFaces & faces,

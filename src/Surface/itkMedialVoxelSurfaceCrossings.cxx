@@ -113,7 +113,7 @@ MedialVoxelSurfaceCrossings::Find(const MedialVoxelClassifiedTile & tile, Worksp
   {
     missing = this->DecideTogether(tile, workspace);
   }
-  // After an abort, too: splits are looked for at whatever edges were found.
+  // After an abort, too: splits are searched at all found edges.
   if (this->IsAutomatic() && missing.IsEmpty())
   {
     this->FindThresholdsOfSplits(tile, workspace);
@@ -231,7 +231,7 @@ MedialVoxelSurfaceCrossings::AddEdge(const MedialVoxelClassifiedTile & tile,
   const MedialVoxelIndex                  b = pair.GetB();
   MedialVoxelJointClassifier::CrossedPair crossed{ pair.a, b, m_Parameters.epsilon, m_Parameters.epsilon };
   tile.classifier.GetJoint().LookAt(tile.classification.joint, tile.features, around, crossed);
-  // Where floods decide, no length is near the smallest threshold; of shorter ones cells often know no more than that.
+  // Where floods decide, no length is near the smallest threshold; for shorter ones cells often know only that.
   if ((m_Flood.IsAvailable() && crossed.bounds.longest <= m_Parameters.epsilon) ||
       crossed.bounds.FallShortOf(crossed.leastEpsilon))
   {
@@ -258,12 +258,12 @@ MedialVoxelSurfaceCrossings::AddEdge(const MedialVoxelClassifiedTile & tile,
   workspace.m_Edges.push_back(edge);
 }
 
-/** Decide the edges whose points no path joins that is shorter than any threshold which they can have. */
+/** Decide edges when no path between their points is shorter than any threshold they can have. */
 void
 MedialVoxelSurfaceCrossings::SeparateByLimits(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const
 {
   auto & queries = workspace.m_Queries;
-  // Where sites are missing for these thresholds, they need not be for the true ones.
+  // Sites that are missing for these thresholds may not be needed for the true ones.
   m_Separation.FindSeparated(*tile.window.sites, tile.progress, tile.classification.joint.GetSeparation(), queries);
   MedialVoxelAbortChecker checker;
   const auto              isDecided = [&](MedialVoxelSeparationQuery & query) {

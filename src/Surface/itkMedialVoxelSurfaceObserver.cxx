@@ -17,7 +17,7 @@ namespace
 
 using CellVector = std::vector<MedialVoxelSurfaceCell>;
 
-/** Cells of a slice up to which time matters more than memory: while it grows, and while it is sorted with a copy. */
+/** Cells of a slice up to which time matters more than memory, for growing and for sorting with a copy. */
 constexpr std::size_t MostCellsOfSmallSlice = std::size_t{ 1 } << 16;
 
 /** Vectors that double would take twice the memory. */

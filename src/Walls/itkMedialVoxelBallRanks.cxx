@@ -26,7 +26,7 @@ MedialVoxelBallRanks::MedialVoxelBallRanks(const MedialVoxelGrid & grid, const d
   this->RankDisplacements();
 }
 
-/** From the shortest to the longest displacement, of which all from the maximum on have the last rank. */
+/** From the shortest to the longest displacement; all from the maximum on have the last rank. */
 void
 MedialVoxelBallRanks::RankDisplacements()
 {

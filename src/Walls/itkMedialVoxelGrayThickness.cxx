@@ -16,7 +16,7 @@ namespace
 using PositionType = MedialVoxelGrayBoundary::PositionType;
 using Crossing = MedialVoxelGrayBoundary::Crossing;
 
-/** Adds a crossing to the sums of its side, as often as lines found it. */
+/** Adds a crossing to the sums of its side, once for each line that found it. */
 void
 AddTo(Crossing & side, const Crossing & crossing)
 {
@@ -273,7 +273,7 @@ MedialVoxelGrayThickness::RefineByFit(const MedialVoxelGray &       gray,
   return true;
 }
 
-/** Whether planes with a normal, in voxels, lie across the way between both sides, in the units of the spacing. */
+/** Whether planes with a normal, in voxels, lie across the line between both sides, in the units of the spacing. */
 bool
 MedialVoxelGrayThickness::LeadsAcross(const PositionType & normal, const Sides & sides) const
 {

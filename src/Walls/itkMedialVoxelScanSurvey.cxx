@@ -42,13 +42,13 @@ constexpr std::int64_t FarFromLargeMean = 6;
 /** Voxels around a block that must be there. */
 constexpr std::int64_t Margin = 9;
 
-/** Voxels of a row that are passed over at once when they are far from the object. */
+/** Voxels of a row that are skipped at once when they are far from the object. */
 constexpr std::int64_t StepOfRow = 64;
 
 /** Faces of some object voxels are looked at, chosen by their place. */
 constexpr std::uint64_t ObjectVoxelsPerLook = 4;
 
-/** A row of voxels, and a surface, take as long as so many short steps. */
+/** Time of a row of voxels, and of a surface, in short steps. */
 constexpr std::uint32_t StepsOfRow = 128;
 constexpr std::uint32_t StepsOfSurface = 128;
 
@@ -270,8 +270,8 @@ private:
     }
   }
 
-  /** Whether there is room for flat sides along an axis: normals take long to find, and most surfaces of thin walls
-   * have none. \a inside is the object voxel of a face, \a outside its other voxel. */
+  /** Whether flat sides fit along an axis: normals take long to find, and most surfaces of thin walls have none. \a
+   * inside is the object voxel of a face, \a outside its other voxel. */
   bool
   MayBeFlat(const Index & inside, const Index & outside) const
   {

@@ -35,8 +35,7 @@ struct Side
   MedialVoxelIndex inwards{};   // sum of the offsets of the object voxels
 };
 
-/** The offsets whose bits are 1 higher than that of the center, and so on, each as far along a direction as the one of
- * the bit that is as much lower is along the opposite. */
+/** Pairs of opposite offsets: their bits are as far above and below the bit of the center. */
 constexpr unsigned int NumberOfOffsetPairs = 13;
 
 /** Products of \a inwards with the offsets that are higher than the center. */
@@ -72,8 +71,8 @@ OffsetsOutOf(const PositionType & inwards)
   return upper << (CenterOfBlock + 1) | lower;
 }
 
-/** By how much the distance of a plane from the center of a block of 3 voxels grows, for each third of the block that
- * it cuts off, near the center: the inverse of the area of a unit cube's section.
+/** Growth of the distance of a plane from the center of a block of 3 voxels, for each third of the block that it cuts
+ * off, near the center: the inverse of the area of a unit cube's section.
  *
  * \param normal  in voxels, times the length that a voxel has along it */
 double

@@ -17,7 +17,7 @@ namespace
 /** A ball takes as long as so many short steps. */
 constexpr std::uint32_t StepsOfBall = 64;
 
-/** Balls after which it is asked whether all voxels are painted. */
+/** Balls between two tests whether all voxels are painted. */
 constexpr std::size_t BallsBetweenLooks = 4096;
 
 } // namespace

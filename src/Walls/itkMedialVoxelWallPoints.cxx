@@ -79,8 +79,8 @@ ShareOfEnds(const WallAxis & wallAxis)
   return std::clamp(1.0 - voxelsOfSides / length, 0.0, largestShare);
 }
 
-/** Corners whose partner through the wall belongs to no side leave theirs too, so that both sides have their means at
- * the same place; not where a side would lose all. */
+/** Corners whose partner through the wall belongs to no side leave their side too, so that the means of both sides are
+ * at the same place; not where a side would lose all. */
 SidesType
 WithoutHalfPairs(const MedialVoxelWallPoints & wall, const SidesType & sides)
 {
