@@ -19,8 +19,8 @@ namespace itk
  * The default Method. Each medial cell of MedialVoxelImageFilter, with ThicknessMode Automatic and its defaults but
  * without smoothing and pores, measures the wall that it is in, from face to face. Its ball covers the voxels that are
  * nearer to the cell than the two boundary points of the wall are on average. The value is the thickness of the wall
- * whose ball is the largest that covers a voxel; of equal balls the thickest wall counts. Cells at rims, whose two
- * sides do not face each other, measure no wall and have no ball. Object voxels that no ball covers, in edges and
+ * whose ball is the largest that covers a voxel; of equal balls the thickest wall counts. Cells with unpaired sides,
+ * which do not face each other, measure no wall and have no ball. Object voxels that no ball covers, in edges and
  * corners, are NaN: no comparison finds them thin or thick.
  *
  * \par Sphere
@@ -61,12 +61,12 @@ public:
 
   using MethodEnum = MedialVoxelEnums::LocalThicknessMethod;
 
-  /** What the thickness of a voxel is. Default Wall. */
+  /** How the thickness of a voxel is defined. Default Wall. */
   itkMedialVoxelSetEnumMacro(Method, MethodEnum);
   itkGetEnumMacro(Method, MethodEnum);
 
-  /** Measure walls on the values of the image; one of the thresholds must be set. Default off. Walls have the
-   * thickness that MedialVoxelImageFilter finds with SubvoxelThicknessOn(), which see. Not with the Method Sphere. */
+  /** Measure walls on the values of the image; one of the thresholds must be set. Default off. Walls have the thickness
+   * of MedialVoxelImageFilter with SubvoxelThicknessOn(). Not with the Method Sphere. */
   itkSetMacro(SubvoxelThickness, bool);
   itkGetConstMacro(SubvoxelThickness, bool);
   itkBooleanMacro(SubvoxelThickness);
@@ -79,10 +79,10 @@ public:
   void
   UnsetLargestBall();
 
-  /** What was set; 0 without. */
+  /** The value that was set; 0 when none was. */
   itkGetConstMacro(LargestBall, double);
 
-  /** Object voxels whose value is LargestBall, so that their balls may be larger. Summed like the counts. */
+  /** Object voxels with the value LargestBall, whose balls may be larger. Summed like the counts. */
   SizeValueType
   GetNumberOfVoxelsAtMaximum() const
   {

@@ -30,8 +30,8 @@ namespace itk
  *
  * Points are physical, with spacing, origin and direction applied. The data of a point is the thickness of the wall in
  * physical units, of MedialVoxelThickness at medial cells; other cells, which rims and junctions use, measure it
- * between their two nearest boundary points. The data of a cell is its area, or with MarkSides a number that says which
- * sides are rims and junctions.
+ * between their two nearest boundary points. The data of a cell is its area, or with MarkSides a number whose bits mark
+ * the sides that are rims and junctions.
  *
  * Points are in the order of their dual cells (z, y, x) and, in one, of their lowest edges, cells in the order of the
  * lower voxels of their edges and of the axes (x, y, z). Quadrilaterals begin at their lowest dual cell and are
@@ -47,12 +47,12 @@ namespace itk
  * A mesh with the traits DefaultStaticMeshTraits<float, 3, 3, double> has them.
  *
  * \par Units and gray values
- * Points of the mesh and thicknesses of walls are physical in any case; UseImageSpacing says so of Thickness and of the
- * nearest boundary points. SubvoxelThickness moves the boundary points to where values cross the threshold, see
+ * Points of the mesh and thicknesses of walls are physical in any case; UseImageSpacing does the same for Thickness and
+ * the nearest boundary points. SubvoxelThickness moves the boundary points to where values cross the threshold, see
  * MedialVoxelGrayBoundary, for the points of the mesh and for the thickness.
  *
  * \par Memory
- * Beside the mesh, what MedialVoxelImageFilter takes for a piece of the image; the input is pulled part by part.
+ * Beside the mesh, the memory of MedialVoxelImageFilter for a piece of the image; the input is pulled part by part.
  *
  * \par QuadEdgeMesh
  * QuadEdgeMesh holds oriented manifolds only. A surface whose cells have no junction sides can be copied to one, cell
@@ -92,7 +92,7 @@ public:
     return m_LabelFilter->GetObjectIsSmoothed();
   }
 
-  /** What the last update with SubvoxelThickness fitted walls with, as in MedialVoxelImageFilter. */
+  /** The scan that the last update with SubvoxelThickness fitted walls with, as in MedialVoxelImageFilter. */
   MedialVoxelScanResult
   GetScan() const
   {
@@ -116,14 +116,14 @@ public:
   itkGetConstMacro(MarkSides, bool);
   itkBooleanMacro(MarkSides);
 
-  /** Leave out branches of the surface that are shorter than this, in physical units: MedialVoxelSurfaceBranches tells
-   * what they are. 0 (default) keeps all; must be finite and not negative. What is left is as without it but for the
-   * numbers of the points and the marks of sides where a branch was. It takes the surface in memory a second time. */
+  /** Remove branches (MedialVoxelSurfaceBranches) of the surface that are shorter than this, in physical units. 0
+   * (default) keeps all; must be finite and not negative. Nothing else changes but the numbers of the points and the
+   * marks of sides where a branch was. Takes the memory of the surface a second time. */
   itkSetMacro(MinimumBranchLength, double);
   itkGetConstMacro(MinimumBranchLength, double);
 
-  /** Leave out connected components of fewer quadrilaterals than this. 0 (default) and 1 keep all. What is left is as
-   * without it but for the numbers of the points. Components are those that remain without branches. */
+  /** Remove connected components of fewer quadrilaterals than this. 0 (default) and 1 keep all. Nothing else changes
+   * but the numbers of the points. Branches are removed first. */
   itkSetMacro(SmallestComponent, SizeValueType);
   itkGetConstMacro(SmallestComponent, SizeValueType);
 

@@ -37,7 +37,7 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::VerifyPreconditions() ITKv5_C
   }
 }
 
-/** Whether the coordinates of the mesh tell neighboring points apart. */
+/** Whether the coordinates of the mesh are precise enough for neighboring points. */
 template <typename TInputImage, typename TOutputMesh>
 void
 MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::VerifyInputInformation() ITKv5_CONST
@@ -54,7 +54,7 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::VerifyInputInformation() ITKv
   }
 }
 
-/** What the label filter asks for to begin with; it pulls the rest. */
+/** The first region that the label filter requests; it pulls the rest. */
 template <typename TInputImage, typename TOutputMesh>
 void
 MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GenerateInputRequestedRegion()
@@ -69,7 +69,7 @@ template <typename TInputImage, typename TOutputMesh>
 SizeValueType
 MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetSlicesPerPiece() const
 {
-  // Labels of a piece, which nobody reads; larger ones gain nothing.
+  // Labels of a piece, which have no reader; larger pieces gain nothing.
   constexpr SizeValueType voxelsPerPiece = SizeValueType{ 1 } << 25;
   const auto &            size = m_LabelFilter->GetOutput()->GetLargestPossibleRegion().GetSize();
   return m_NumberOfSlicesPerPiece > 0 ? m_NumberOfSlicesPerPiece
@@ -117,8 +117,8 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GenerateData()
   MeshWriter         writer(mesh, m_GenerateTriangles, m_MarkSides);
   MedialVoxelSurface surface(settings, writer);
   m_LabelFilter->m_TileObservers = { &surface.GetObserver() };
-  MedialSurfaceProgress      progress(*this);
-  const MedialVoxelPollScope scope(progress);
+  MedialSurfaceProgress          progress(*this);
+  const MedialVoxelProgressScope scope(progress);
   try
   {
     this->RunPieces();
@@ -146,7 +146,7 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::RunPieces()
   IndexValueType       slice = begin;
 
   m_LabelFilter->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
-  // What was classified before has no observer any more.
+  // Tiles classified before have no observer.
   m_LabelFilter->Modified();
   const auto onProgress = [&](const EventObject &) {
     const float done = static_cast<float>(slice - begin) + m_LabelFilter->GetProgress() * static_cast<float>(slices);

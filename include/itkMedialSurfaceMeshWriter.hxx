@@ -31,7 +31,7 @@ public:
   {
     for (const MedialVoxelSurfaceVertex & vertex : vertices)
     {
-      m_Poll.Count();
+      m_Checker.Count();
       typename OutputMeshType::PointType point;
       for (unsigned int axis = 0; axis < 3; ++axis)
       {
@@ -48,7 +48,7 @@ public:
   {
     for (const MedialVoxelSurfaceQuad & quad : quads)
     {
-      m_Poll.Count();
+      m_Checker.Count();
       if (m_AsTriangles)
       {
         this->AddTriangle(quad, 0);
@@ -100,12 +100,12 @@ private:
     ++m_NumberOfCells;
   }
 
-  OutputMeshType &       m_Mesh;
-  bool                   m_AsTriangles;
-  bool                   m_WithMarks;
-  IdentifierType         m_NumberOfPoints{ 0 };
-  IdentifierType         m_NumberOfCells{ 0 };
-  MedialVoxelPollCounter m_Poll;
+  OutputMeshType &        m_Mesh;
+  bool                    m_AsTriangles;
+  bool                    m_WithMarks;
+  IdentifierType          m_NumberOfPoints{ 0 };
+  IdentifierType          m_NumberOfCells{ 0 };
+  MedialVoxelAbortChecker m_Checker;
 };
 
 } // end namespace itk

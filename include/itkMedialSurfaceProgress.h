@@ -36,7 +36,7 @@ public:
 
   /** Not UpdateProgress(), which might round the fraction down. */
   void
-  Beat() override
+  UpdateObservers() override
   {
     m_Filter.InvokeEvent(ProgressEvent());
   }

@@ -41,30 +41,29 @@ public:
   void
   Reshape(const MedialVoxelBox & box);
 
-  /** Set the box and keep the bits that the old box and the new one share; other bits are zero. Memory that has to be
-   * taken for that suffices for \a room too. */
+  /** Set the box and keep the bits that the old box and the new one share; other bits are zero. New memory suffices for
+   * \a largestBox too. */
   void
-  Reframe(const MedialVoxelBox & box, const MedialVoxelBox & room);
+  Reframe(const MedialVoxelBox & box, const MedialVoxelBox & largestBox);
 
-  /** Set the box, of whose bits none is defined before CopyRows() has set them. Memory that has to be taken for that
-   * suffices for \a room too. */
+  /** Set the box; its bits are undefined until CopyRows() sets them. New memory suffices for \a largestBox too. */
   void
-  Frame(const MedialVoxelBox & box, const MedialVoxelBox & room);
+  Frame(const MedialVoxelBox & box, const MedialVoxelBox & largestBox);
 
-  /** Give the rows of the box that \a rows has, in all of their length, the bits that \a source has there; others are
-   * zero. Several threads may do so for different rows. */
+  /** Copy whole rows of the box that are in \a rows from \a source; bits outside its box are zero. Several threads may
+   * copy different rows. */
   void
   CopyRows(const MedialVoxelBits & source, const MedialVoxelBox & rows);
 
   /** Bytes that the bits have after a Frame(). */
   std::uint64_t
-  GetBytesToFrame(const MedialVoxelBox & box, const MedialVoxelBox & room) const;
+  GetBytesToFrame(const MedialVoxelBox & box, const MedialVoxelBox & largestBox) const;
 
-  /** True when Reframe() needs no memory beside what the bits have, as when a box slides along y or z. */
+  /** True when Reframe() needs no further memory, as when a box slides along y or z. */
   bool
   CanReframeInPlace(const MedialVoxelBox & box) const;
 
-  /** Bytes that the bits have, which may be more than they need after they became fewer. */
+  /** Memory that the bits have now; it does not shrink with them. */
   std::uint64_t
   GetReservedBytes() const
   {
@@ -97,7 +96,7 @@ public:
     return m_RowPitch;
   }
 
-  /** First word of the row at (y, z), which is in the box; index -1 and GetWordsPerRow() are readable zeros. */
+  /** First word of the row at (y, z) in the box; index -1 and GetWordsPerRow() are readable zeros. */
   WordType *
   GetRow(std::int64_t y, std::int64_t z)
   {
@@ -159,11 +158,11 @@ public:
     return upTo & (~WordType{ 0 } << begin);
   }
 
-  /** True when a bit is set in \a box, which is clipped to the own box. */
+  /** True when a bit is set in \a box, clipped to the own box. */
   bool
   Any(const MedialVoxelBox & box) const;
 
-  /** Number of bits set in \a box, which is clipped to the own box. */
+  /** Number of bits set in \a box, clipped to the own box. */
   std::uint64_t
   Count(const MedialVoxelBox & box) const;
 
@@ -182,7 +181,7 @@ private:
   void
   ClearAround(const MedialVoxelBox & kept);
 
-  /** Call \a visit(word) for the bits of \a box, word by word but for empty words, until it returns false. */
+  /** Call \a visit(word) for the bits of \a box, word by word without empty words, until it returns false. */
   template <typename TVisitor>
   void
   VisitWords(const MedialVoxelBox & box, TVisitor && visit) const;
@@ -194,7 +193,7 @@ private:
                                        1);
   }
 
-  /** Leaves new words undefined, so that the threads that set them are the first ones to touch their memory. */
+  /** Leaves new words undefined: the threads that set them should touch their memory first. */
   struct Allocator : public std::allocator<WordType>
   {
     template <typename TOther>

@@ -22,10 +22,9 @@ namespace itk
 /** \class MedialVoxelEngine
  * \brief Carries out a task on an image, region by region, with a client that knows the image and the threads.
  *
- * It walks a region slab by slab, each with a window of object bits that is certain to hold what its tiles depend on,
- * and has workers process the tiles, and prepare the window of the next slab meanwhile. Results do not depend on
- * regions, slabs, tiles or threads. Windows of a region are kept for the next one, so that input that both depend on is
- * asked for once.
+ * It walks a region slab by slab. Each slab has a window of object bits that holds all its tiles depend on. Workers
+ * process the tiles and prepare the window of the next slab meanwhile. Results do not depend on regions, slabs, tiles
+ * or threads. Windows of a region are kept for the next one, so shared input is read once.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelEngine
@@ -39,8 +38,7 @@ public:
   MedialVoxelEngine &
   operator=(const MedialVoxelEngine &) = delete;
 
-  /** Bytes that windows and all workers take while no tile of \a region depends on more than is known to begin
-   * with. */
+  /** Bytes of the windows and all workers while no tile of \a region depends on more than the halo. */
   std::uint64_t
   GetBytes(const MedialVoxelBox & region) const;
 
@@ -48,7 +46,7 @@ public:
   std::int64_t
   GetSlabThickness(const MedialVoxelBox & region) const;
 
-  /** Boxes of object voxels that the first slab of \a region starts with and the window does not hold. */
+  /** Boxes of object voxels that the first slab of \a region needs and the window lacks. */
   std::vector<MedialVoxelBox>
   GetMissingObjectBoxes(const MedialVoxelBox & region) const;
 
@@ -56,9 +54,9 @@ public:
   bool
   IsLast(const MedialVoxelBox & region) const;
 
-  /** Process all of \a region. What was found up to an exception does not count. When it is known which region comes
-   * next, its voxels are asked for while this one is processed.
-   * \throw MedialVoxelMemoryShortage when the memory limit does not hold what a slab of one voxel depends on. */
+  /** Process all of \a region. Results up to an exception do not count. When the next region is known, its voxels are
+   * read while this one is processed.
+   * \throw MedialVoxelMemoryShortage when a slab of one voxel needs more than the memory limit. */
   MedialVoxelSums
   Run(const MedialVoxelBox &    region,
       MedialVoxelObjectSource & source,

@@ -14,7 +14,7 @@ namespace itk
 {
 
 /** \class MedialVoxelEngineClient
- * \brief What an engine needs from its user beside the image: threads, and a place for results.
+ * \brief Gives an engine threads and takes its results.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelEngineClient
@@ -22,24 +22,24 @@ class MedialVoxel_EXPORT MedialVoxelEngineClient
 public:
   virtual ~MedialVoxelEngineClient();
 
-  /** Call \a work \a numberOfWorkers times, once of them in this thread and otherwise in as many threads as there are,
-   * and wait for all of them. It throws nothing. */
+  /** Call \a work \a numberOfWorkers times, once in this thread and otherwise in the available threads, and wait for
+   * all calls. \a work throws nothing. */
   virtual void
   RunWorkers(unsigned int numberOfWorkers, const std::function<void()> & work) = 0;
 
-  /** Store what was found in a tile. Called by several workers at a time, for each tile once. */
+  /** Store the results of a tile. Called by several workers at a time, for each tile once. */
   virtual void
   TakeTile(const MedialVoxelTileResult & tile) = 0;
 
-  /** Hears from the calling thread of a run that \a fraction of the region is done; does nothing by default. */
+  /** Called in the calling thread of a run when \a fraction of the region is done; does nothing by default. */
   virtual void
   UpdateProgress(float fraction);
 
-  /** Asked in the calling thread of a run, where true stops it; default false. */
+  /** Called in the calling thread of a run; true aborts it. Default false. */
   virtual bool
-  IsAbortRequested() const;
+  IsAborted() const;
 
-  /** The exception that ends a run that was stopped, by default MedialVoxelAborted. */
+  /** The exception of an aborted run, by default MedialVoxelAborted. */
   virtual std::exception_ptr
   GetAbortException() const;
 };

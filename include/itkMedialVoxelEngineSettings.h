@@ -20,14 +20,13 @@ namespace itk
 
 class MedialVoxelTileObserver;
 
-/** \struct MedialVoxelExtraction
- * \brief The task to label the medial cells, and what else is wanted of them.
+/** \struct MedialVoxelSheetExtraction
+ * \brief The task to label the medial cells and to measure them.
  * \ingroup MedialVoxel
  */
-struct MedialVoxel_EXPORT MedialVoxelExtraction
+struct MedialVoxel_EXPORT MedialVoxelSheetExtraction
 {
-  /** Values of the voxels that are object, one end of which may be infinite, and what they are made of, when that is
-   * known. */
+  /** Range of the object's values, of which one end may be infinite, and their materials when known. */
   struct GrayRange
   {
     double                         lower;
@@ -43,21 +42,21 @@ struct MedialVoxel_EXPORT MedialVoxelExtraction
   /** Measure the walls at all medial cells. */
   bool measuresThickness{ false };
 
-  /** Measure walls on the gray values of the voxels; on the object without. */
+  /** Measure walls on the gray values of the voxels; unset: on the object. */
   std::optional<GrayRange> grayRange;
 
-  /** Someone sees the tiles, with so many bytes for each voxel of the tile of a worker. */
+  /** Whether observers see the tiles, and their memory for each voxel of the tile of a worker. */
   bool          isObserved{ false };
   std::uint64_t observerBytesPerVoxel{ 0 };
 
-  /** Who sees the tiles of the runs, which must outlive them; a plan needs none. */
+  /** Observers; must outlive the runs. Not needed for planning. */
   std::vector<MedialVoxelTileObserver *> observers;
 
   /** Let \a observer see the tiles, and count its memory. */
   void
   AddObserver(MedialVoxelTileObserver & observer);
 
-  /** Whether the cells of a tile are kept for what follows the labels. */
+  /** Whether later steps need the cells of a tile. */
   bool
   KeepsRows() const
   {
@@ -75,7 +74,7 @@ struct MedialVoxelDistanceMap
   MedialVoxelRegion   region{ MedialVoxelRegion::Both };
   double              maximumDistance{ std::numeric_limits<double>::infinity() };
 
-  /** Tell where the boundary voxels are; without, perhaps only how far, which takes less time. */
+  /** Find where the boundary voxels are; false: perhaps only their distances, which is faster. */
   bool findsDisplacements{ true };
 };
 
@@ -89,12 +88,12 @@ struct MedialVoxel_EXPORT MedialVoxelLocalThickness
   /** Diameter at which balls are cut, in the units of the spacing; positive and finite. */
   double maximumThickness{ 0.0 };
 
-  /** Components of the background inside the object, and of the object, of at most so many voxels change sides. */
+  /** Components of at most so many voxels change sides: of the background inside the object, then of the object. */
   std::uint64_t maximumPoreSize{ 0 };
 
-  /** The extraction whose walls are painted, with its own maximumPoreSize; what else it makes does not count. Without
-   * one, the diameters of balls are. */
-  std::optional<MedialVoxelExtraction> walls;
+  /** The extraction whose walls are painted, with its own maximumPoreSize; its other results are ignored. Unset:
+   * diameters of balls are painted. */
+  std::optional<MedialVoxelSheetExtraction> walls;
 
   /** Largest ratio of the maximum thickness to the smallest spacing, and its default, to the largest. */
   static constexpr double MostVoxels = 256.0;
@@ -108,10 +107,11 @@ struct MedialVoxel_EXPORT MedialVoxelLocalThickness
   GetLargestMaximum(const MedialVoxelGrid & grid);
 };
 
-using MedialVoxelEngineTask = std::variant<MedialVoxelExtraction, MedialVoxelDistanceMap, MedialVoxelLocalThickness>;
+using MedialVoxelEngineTask =
+  std::variant<MedialVoxelSheetExtraction, MedialVoxelDistanceMap, MedialVoxelLocalThickness>;
 
 /** \struct MedialVoxelEngineSettings
- * \brief A task, and how its work is divided, which has no influence on results.
+ * \brief A task, and the division of its work, which has no influence on results.
  * \ingroup MedialVoxel
  */
 struct MedialVoxelEngineSettings
@@ -127,14 +127,14 @@ struct MedialVoxelEngineSettings
   /** Extent of the slabs along the slowest axis; 0 chooses. */
   std::int64_t slabThickness{ 0 };
 
-  /** Bytes that windows and the memory of all workers may take; 0 is without limit. */
+  /** Limit in bytes on the memory of windows and workers; 0 is without limit. */
   std::uint64_t memoryLimit{ 0 };
 
   /** Workers at the same time. */
   unsigned int numberOfWorkers{ 1 };
 
-  /** Prepare a second window for the next slab while this one is processed, where there are several workers and the
-   * memory limit leaves room for it. */
+  /** Prepare a second window for the next slab while this one is processed, if there are several workers and enough
+   * memory. */
   bool readsAhead{ true };
 };
 

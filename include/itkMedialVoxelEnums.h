@@ -48,7 +48,7 @@ public:
 
   /** \class Region
    * \ingroup MedialVoxel
-   * Voxels that get a distance: those of the object, those outside it, or both. */
+   * Voxels that get a distance: inside the object, outside it, or both. */
   enum class Region : std::uint8_t
   {
     Inside = 0,
@@ -84,7 +84,7 @@ public:
 
   /** \class LocalThicknessMethod
    * \ingroup MedialVoxel
-   * What the local thickness of a voxel is.
+   * How the local thickness of a voxel is defined.
    *
    * Sphere: the diameter of the largest ball inside the object that covers it (Hildebrand and Ruegsegger, 1997).
    * Wall: the thickness of the wall whose ball is the largest that covers it. */
@@ -116,7 +116,7 @@ extern MedialVoxel_EXPORT std::ostream &
 extern MedialVoxel_EXPORT std::ostream &
                           operator<<(std::ostream & out, MedialVoxelEnums::LocalThicknessMethod value);
 
-/** Empty for an enumerator; for any other number its value and those that there are. */
+/** Error text for a value that is no enumerator; empty otherwise. */
 extern MedialVoxel_EXPORT std::string
                           MedialVoxelFindEnumProblem(MedialVoxelEnums::PseudoGeodesicBound value);
 extern MedialVoxel_EXPORT std::string
@@ -132,8 +132,8 @@ extern MedialVoxel_EXPORT std::string
 
 } // end namespace itk
 
-/** Throws when \a value, of the property \a name of a filter, is no enumerator: a caller in another language can give
- * any number. */
+/** Throws when \a value of the filter property \a name is no enumerator: callers in other languages can give any
+ * number. */
 #define itkMedialVoxelCheckEnumMacro(name, value)                                             \
   if (const std::string problem = ::itk::MedialVoxelFindEnumProblem(value); !problem.empty()) \
   {                                                                                           \

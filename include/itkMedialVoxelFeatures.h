@@ -21,7 +21,7 @@ constexpr std::int32_t MedialVoxelNoDisplacement = std::numeric_limits<std::int3
 /** \struct MedialVoxelFeatures
  * \brief Displacement in voxels from each voxel of a box to its nearest site.
  *
- * Voxels that were not asked for have the displacement zero; voxels without a site, or with one that is too far, have
+ * Voxels that were not requested have the displacement zero; voxels without a site within reach have
  * MedialVoxelNoDisplacement in every component.
  * \ingroup MedialVoxel
  */
@@ -34,13 +34,13 @@ struct MedialVoxel_EXPORT MedialVoxelFeatures
   std::vector<std::int32_t> dy;
   std::vector<std::int32_t> dz;
 
-  /** Set the box and all displacements to zero. Takes as long as what was announced since the last time is large. */
+  /** Set the box and all displacements to zero. Clears only voxels marked since the last time. */
   void
   Reset(const MedialVoxelBox & newBox);
 
-  /** Announce displacements of \a number voxels from \a offset on; all others stay zero. */
+  /** Mark \a number voxels from \a offset on as written; all others must stay zero. */
   void
-  Announce(std::size_t offset, std::size_t number);
+  MarkWritten(std::size_t offset, std::size_t number);
 
   std::size_t
   OffsetOf(std::int64_t x, std::int64_t y, std::int64_t z) const
@@ -61,7 +61,7 @@ private:
     std::size_t number;
   };
 
-  std::vector<Run> m_Announced; ///< in ascending order
+  std::vector<Run> m_Written; ///< in ascending order
 };
 
 } // end namespace itk

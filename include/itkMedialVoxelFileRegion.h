@@ -56,8 +56,8 @@ public:
   std::uint64_t
   GetRunOffset(std::uint64_t run) const;
 
-  /** Reads the box from the segments of a volume, with one request per run and file. Where the system tells of holes
-   * in a file, requests for 64 KiB and more take their zeros without reading them.
+  /** Reads the box from the segments of a volume, with one request per run and file. Requests of 64 KiB and more skip
+   * holes of a file where the system reports them.
    * \throw std::runtime_error with the name of the file and the offset when it cannot be opened or ends early */
   void
   Read(const std::vector<MedialVoxelFileSegment> & segments, void * buffer) const;
@@ -79,7 +79,7 @@ MedialVoxel_EXPORT std::uint64_t
                    CheckedFileSize(const std::vector<std::uint64_t> & factors);
 
 /** Creates a file, or replaces it, and gives it a size.
- * \param reserve takes the space from the disk at once, where the file system can; else the file is one hole
+ * \param reserve true: allocate the space on the disk at once, where the file system can; false: the file is one hole
  * \throw std::runtime_error with the name of the file, the size and the reason; the file is removed */
 MedialVoxel_EXPORT void
 CreateFileOfSize(const std::filesystem::path & fileName, std::uint64_t numberOfBytes, bool reserve);

@@ -27,25 +27,25 @@ public:
 
   /** Bytes taken, at most, during and after a Reframe(). */
   std::uint64_t
-  GetBytesToReframe(const MedialVoxelBox & box, const MedialVoxelBox & room) const;
+  GetBytesToReframe(const MedialVoxelBox & box, const MedialVoxelBox & largestBox) const;
 
-  /** Move to \a box and keep the values that both have. Memory that has to be taken suffices for \a room too. */
+  /** Move to \a box and keep the shared values. New memory suffices for \a largestBox too. */
   void
-  Reframe(const MedialVoxelBox & box, const MedialVoxelBox & room);
+  Reframe(const MedialVoxelBox & box, const MedialVoxelBox & largestBox);
 
-  /** Set the box, of whose values none is defined. Memory that has to be taken for that suffices for \a room too. */
+  /** Set the box; its values are undefined. New memory suffices for \a largestBox too. */
   void
-  Frame(const MedialVoxelBox & box, const MedialVoxelBox & room);
+  Frame(const MedialVoxelBox & box, const MedialVoxelBox & largestBox);
 
-  /** Copy what \a source has of the slices and rows of \a rows. Several threads may do so for different rows. */
+  /** Copy the slices and rows of \a rows from \a source. Several threads may copy different rows. */
   void
   CopyRows(const MedialVoxelGray & source, const MedialVoxelBox & rows);
 
   /** Bytes that the values have after a Frame(). */
   std::uint64_t
-  GetBytesToFrame(const MedialVoxelBox & box, const MedialVoxelBox & room) const;
+  GetBytesToFrame(const MedialVoxelBox & box, const MedialVoxelBox & largestBox) const;
 
-  /** Bytes that the values have, which may be more than they need after they became fewer. */
+  /** Memory that the values have now; it does not shrink with them. */
   std::uint64_t
   GetReservedBytes() const
   {
@@ -80,7 +80,7 @@ private:
                                     (x - m_Box.lower[0]));
   }
 
-  /** True when rows and slices of a box lie as now, and there is room for them. */
+  /** True when rows and slices of a box lie as now and fit the memory. */
   bool
   IsInPlace(const MedialVoxelBox & box) const;
 

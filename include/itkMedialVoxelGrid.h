@@ -81,10 +81,9 @@ operator!=(const MedialVoxelBox & a, const MedialVoxelBox & b)
 /** \class MedialVoxelGrid
  * \brief Size and spacing of the whole image, and the metric that follows from them.
  *
- * Axes of length 1 are inactive: they have no neighbors, no cell corners and no say in whether spacings are equal.
- * Squared distances are compared in index units when the spacings of the active axes are equal, so that they are
- * integers and ties are exact; otherwise in physical units. Formats round spacings, so that one that is nearly that of
- * an axis before it is taken for it.
+ * Axes of length 1 are inactive: they have no neighbors and no cell corners, and their spacings do not count. When the
+ * spacings of the active axes are equal, squared distances are compared in index units: they are integers, so ties are
+ * exact. Otherwise they are compared in physical units. Formats round spacings, so nearly equal ones become equal.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelGrid
@@ -106,7 +105,7 @@ public:
     return m_Size;
   }
 
-  /** Those of the constructor; nearly equal ones are the first of them. */
+  /** The spacing of the constructor; nearly equal values become the first of them. */
   const SpacingType &
   GetSpacing() const
   {
@@ -174,7 +173,7 @@ public:
     return m_LongestEdge;
   }
 
-  /** Shortest edge that the grid has; infinite when no axis is active. */
+  /** Shortest edge of the grid; infinite when no axis is active. */
   double
   GetShortestEdge() const
   {
@@ -196,7 +195,7 @@ public:
   MarginForMetricLength(double length) const;
 
 private:
-  /** The spacing of an axis, or that of an axis before it that is nearly the same. */
+  /** The spacing of an axis, or the nearly equal spacing of an axis before it. */
   double
   FindEqualSpacing(unsigned int axis) const;
 

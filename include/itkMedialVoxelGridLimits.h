@@ -15,7 +15,7 @@ namespace itk
 {
 
 /** \struct MedialVoxelGridLimits
- * \brief Ranges of the numbers that place an image in space, for the filters and for files alike.
+ * \brief Ranges of the numbers that place an image in space, for filters and files.
  *
  * Within them, squares and products of lengths stay far from the ends of the range of numbers, in 32 bits too, so that
  * results do not depend on the unit of length.
@@ -26,10 +26,10 @@ struct MedialVoxel_EXPORT MedialVoxelGridLimits
   static constexpr double SmallestSpacing = 1e-12;
   static constexpr double LargestSpacing = 1e12;
 
-  /** Of the largest spacing to the smallest, among the axes longer than 1. */
+  /** Largest ratio of the largest to the smallest spacing, among the axes longer than 1. */
   static constexpr double LargestRatio = 1000.0;
 
-  /** Of an axis, of a coordinate of the origin, and of the limits of an automatic thickness. */
+  /** Of an axis, of a coordinate of the origin, and of the bounds of an automatic thickness. */
   static constexpr double LargestLength = 1e18;
 
   /** Voxels along an axis. */
@@ -38,33 +38,33 @@ struct MedialVoxel_EXPORT MedialVoxelGridLimits
   /** Voxels of an image; their bytes are still a valid offset in a file. */
   static constexpr std::uint64_t MostVoxels = std::uint64_t{ 1 } << 59;
 
-  /** Of the largest spacing to the smallest: with more, sheets and thickness are inaccurate. */
+  /** Ratio of the largest to the smallest spacing beyond which sheets and thickness are inaccurate. */
   static constexpr double AccurateRatio = 4.0;
 
-  /** What is out of range, with the range, such as "its spacing along axis 2 is 0; it must be a number from 1e-12 to
-   * 1e+12"; empty when all is well. The vectors have a value for each axis. */
+  /** Error text with value and range, as in "its spacing along axis 2 is 0; it must be a number from 1e-12 to 1e+12";
+   * empty when all is well. The vectors have a value for each axis. */
   static std::string
   FindProblem(const std::vector<std::uint64_t> & size,
               const std::vector<double> &        spacing,
               const std::vector<double> &        origin);
 
-  /** Of the cosine of the angle between two axes; with more, lengths along a straight grid are wrong. */
+  /** Largest cosine of the angle between two axes; with more, lengths along a straight grid are wrong. */
   static constexpr double LargestShear = 0.01;
 
-  /** Axes that are not at right angles to each other, in words; empty when all are. \param axes unit vectors */
+  /** Error text for axes that are not at right angles to each other; empty when all are. \param axes unit vectors */
   static std::string
   FindShear(const std::vector<std::vector<double>> & axes);
 
-  /** The largest spacing to the smallest, among the axes longer than 1; 1 without any. */
+  /** Ratio of the largest to the smallest spacing, among the axes longer than 1; 1 without any. */
   static double
   RatioOf(const MedialVoxelGrid & grid);
 
-  /** That sheets and thickness are inaccurate on a grid, in words; empty up to AccurateRatio. */
+  /** Warning that sheets and thickness are inaccurate on a grid; empty up to AccurateRatio. */
   static std::string
   FindInaccuracy(const MedialVoxelGrid & grid);
 
-  /** The least thickness that a grid can tell from nothing: the largest spacing beyond AccurateRatio, otherwise 0. A
-   * smaller one would take each step along the longest axis for the way around a wall. */
+  /** The least thickness that a grid resolves: the largest spacing beyond AccurateRatio, otherwise 0. With a smaller
+   * one, each step along the longest axis would count as a path around a wall. */
   static double
   LeastThickness(const MedialVoxelGrid & grid);
 };

@@ -42,10 +42,11 @@ namespace itk
  * of the input. All outputs always have the same requested region.
  *
  * \par Thickness
- * GenerateThicknessOn() adds the output GetThicknessOutput(): at medial cells the thickness of the wall, at rims the
- * negative of the measured value, zero elsewhere. Its geometry is that of the labels. MedialVoxelThickness describes
- * the measurement: walls parallel to an axis are exact, others to a layer of voxels. SubvoxelThicknessOn() measures on
- * the gray values of a scan, see MedialVoxelGrayThickness; masks and label maps are measured on the object.
+ * GenerateThicknessOn() adds the output GetThicknessOutput(): at medial cells the thickness of the wall, zero
+ * elsewhere. It is negative where the two sides are unpaired: they do not face each other, as at rims. Its geometry is
+ * that of the labels. MedialVoxelThickness describes the measurement: walls parallel to an axis are exact, others to a
+ * layer of voxels. SubvoxelThicknessOn() measures on the gray values of a scan, see MedialVoxelGrayThickness; masks and
+ * label maps are measured on the object.
  *
  * \par Departures from the paper
  * doc/explanation/method.md gives the reasons.
@@ -53,7 +54,7 @@ namespace itk
  *   a cell are their own nearest boundary point.
  * - The angle of a pair is measured at the center of the cell, where it always exists; ties have a rule.
  * - The default bound is the length of the shortest path in the complete grid, which is proved; Eq. 2 is Paper.
- * - Each slab has a window that is certain to contain all that it depends on; nothing is propagated between slabs.
+ * - Each slab has a window of all voxels it depends on; nothing is propagated between slabs.
  * - Paths are searched in the box of the ellipsoid with the boundary points as foci, not of its bounding sphere. The
  *   edges of a path are counted by kind and summed in one order.
  * - Pores and dust can be left out, the threshold can be automatic, and any spacing is allowed.
@@ -118,8 +119,8 @@ public:
   itkGetConstMacro(GenerateVectorDistance, bool);
   itkBooleanMacro(GenerateVectorDistance);
 
-  /** Boundary that the vectors lead to: Object (default; their norm is the distance of
-   * SignedMaurerDistanceMapImageFilter inside the object) or Background (the vectors that classify the cells). */
+  /** Target of the vectors: Object (default; their norm is the distance of SignedMaurerDistanceMapImageFilter inside
+   * the object) or Background (the vectors that classify the cells). */
   itkMedialVoxelSetEnumMacro(VectorDistanceBoundary, BoundaryEnum);
   itkGetEnumMacro(VectorDistanceBoundary, BoundaryEnum);
 
@@ -137,8 +138,8 @@ public:
   itkGetConstMacro(GenerateThickness, bool);
   itkBooleanMacro(GenerateThickness);
 
-  /** What the last update with SubvoxelThickness fitted walls with, or the reason why it fitted none. Members in
-   * Python: background, material, blur in voxels, noise of a value, all 0 without fits; reason; isMask. */
+  /** The scan that the last update with SubvoxelThickness fitted walls with, or the reason why it fitted none. Members
+   * in Python: background, material, blur in voxels, noise of a value, all 0 without fits; reason; isMask. */
   MedialVoxelScanResult
   GetScan() const
   {
@@ -159,8 +160,8 @@ public:
     return dynamic_cast<ThicknessImageType *>(this->ProcessObject::GetOutput(UncertaintyName));
   }
 
-  /** Thickness of the walls at medial cells, physical when UseImageSpacing is on, otherwise in voxels; negative at
-   * rims, zero elsewhere. Null unless GenerateThickness is on. */
+  /** Thickness of the walls at medial cells, physical when UseImageSpacing is on, otherwise in voxels; negative where
+   * sides are unpaired, zero elsewhere. Null unless GenerateThickness is on. */
   ThicknessImageType *
   GetThicknessOutput()
   {
@@ -214,7 +215,7 @@ private:
   bool         m_GenerateThickness{ false };
   bool         m_GenerateUncertainty{ false };
 
-  /** See each tile with its boundary points while it is at hand, and outlive the updates. Their memory counts for
+  /** Observers see each tile with its boundary points, and must outlive the updates. Their memory counts for
    * WorkingMemoryLimit. */
   std::vector<MedialVoxelTileObserver *> m_TileObservers;
 };

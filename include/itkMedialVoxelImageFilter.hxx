@@ -120,7 +120,7 @@ template <typename TInputImage, typename TOutputImage>
 MedialVoxelEngineTask
 MedialVoxelImageFilter<TInputImage, TOutputImage>::GetTask(const MedialVoxelGrid & grid) const
 {
-  MedialVoxelExtraction extraction;
+  MedialVoxelSheetExtraction extraction;
   extraction.parameters = this->GetParameters(grid);
   extraction.measuresThickness = m_GenerateThickness || m_GenerateUncertainty;
   if (m_GenerateVectorDistance)

@@ -23,7 +23,7 @@ namespace itk
 class MedialVoxelFilterAccess;
 
 /** \class MedialVoxelImageFilterBase
- * \brief Streaming and threads that the filters of the MedialVoxel module share.
+ * \brief Streaming and threads, shared by the filters of the MedialVoxel module.
  *
  * The requested region is processed slab by slab along its slowest axis. For each slab the filter pulls the input that
  * the slab depends on, part by part, and packs it to one bit per voxel. Threads run the tiles of the slab in
@@ -98,29 +98,29 @@ protected:
   void
   GenerateData() override;
 
-  /** Runs the phases. Each thread of GenerateData() calls it, and takes part of the work on the requested region.
-   * Called by itself, it fills \a region of the outputs, which are allocated, and adds nothing to the counts. */
+  /** Runs the phases. Each thread of GenerateData() calls it and takes part of the work on the requested region. A
+   * separate call fills \a region of the allocated outputs and adds nothing to the counts. */
   void
   DynamicThreadedGenerateData(const OutputImageRegionType & region) override;
 
-  /** What the engine is to do for the derived class. */
+  /** The engine's task for the derived class. */
   virtual MedialVoxelEngineTask
   GetTask(const MedialVoxelGrid & grid) const = 0;
 
-  /** Write what was found in a tile to the outputs. Called by several threads at a time. */
+  /** Write the results of a tile to the outputs. Called by several threads at a time. */
   virtual void
   TakeTile(const MedialVoxelTileResult & tile) = 0;
 
-  /** Process \a region; what was found up to an exception does not count. Prepares the input and runs the engine once,
-   * unless the derived class needs more. */
+  /** Process \a region; results up to an exception do not count. Prepares the input and runs the engine once, unless
+   * the derived class needs more runs. */
   virtual MedialVoxelSums
   RunRegion(const MedialVoxelBox & region);
 
-  /** Count what the last RunRegion() found; \a isNew when sums begin again. Does nothing by default. */
+  /** Add the counts of the last RunRegion(); \a isNew when sums begin again. Does nothing by default. */
   virtual void
   KeepSums(bool isNew);
 
-  /** Run the engine over \a region. Tells the progress of the run \a run of \a numberOfRuns over the same region. */
+  /** Run the engine over \a region. Reports progress as run \a run of \a numberOfRuns over the same region. */
   MedialVoxelSums
   RunEngine(const MedialVoxelBox & region, unsigned int run = 0, unsigned int numberOfRuns = 1);
 
@@ -131,11 +131,11 @@ protected:
     m_Engine.reset();
   }
 
-  /** What the engine reads: by default the object that the properties define, not smoothed. */
+  /** The input of the engine: by default the object that the properties define, not smoothed. */
   virtual std::unique_ptr<MedialVoxelInput>
   MakeInput(MedialVoxelValueSource & source);
 
-  /** Make the input, and what it has to read before a run, once for each change of the pixels. */
+  /** Make the input and run its passes, once for each change of the pixels. */
   MedialVoxelInput &
   PrepareInput();
 
@@ -146,12 +146,12 @@ protected:
     return dynamic_cast<const MedialVoxelObjectInput *>(m_Input.get());
   }
 
-  /** Find out what the values beside the one threshold are made of, from samples, once for each change of the input.
-   * There is no scan with two thresholds. */
+  /** Find the materials beside the one threshold from samples, once for each change of the input. With two thresholds
+   * there is no scan. */
   void
   PrepareScan(const std::optional<MedialVoxelScanLevels> & levels);
 
-  /** What PrepareScan() found. */
+  /** The result of PrepareScan(). */
   const MedialVoxelScanResult &
   GetScanResult() const
   {
@@ -159,17 +159,17 @@ protected:
   }
 
   /** Gray values to measure walls on; none where walls are measured on the object. */
-  std::optional<MedialVoxelExtraction::GrayRange>
+  std::optional<MedialVoxelSheetExtraction::GrayRange>
   GetGrayRange() const
   {
     if (m_Scan.isMask)
     {
       return std::nullopt;
     }
-    return MedialVoxelExtraction::GrayRange{ this->GetLowerThreshold(), this->GetUpperThreshold(), m_Scan.scan };
+    return MedialVoxelSheetExtraction::GrayRange{ this->GetLowerThreshold(), this->GetUpperThreshold(), m_Scan.scan };
   }
 
-  /** What ends an execution that is aborted. */
+  /** The exception of an aborted execution. */
   static std::exception_ptr
   MakeAbortException();
 
@@ -177,7 +177,8 @@ protected:
   ModifiedTimeType
   GetWindowMTime() const;
 
-  /** Latest change of the window, and of the pixels of an image without a source, which the pipeline does not tell. */
+  /** Latest change of the window, and of the pixels of an image without a source, which the pipeline does not
+   * report. */
   ModifiedTimeType
   GetPixelMTime() const
   {
@@ -234,7 +235,7 @@ private:
   class Client;
   class PassProgress;
 
-  /** Call function(observer), which reads the input before the engine does, and can be stopped. */
+  /** Call function(observer), which reads the input before the engine does and can be aborted. */
   template <typename TFunction>
   auto
   ReadBeforeRun(TFunction && function);
@@ -249,7 +250,7 @@ private:
   unsigned int
   GetNumberOfWorkers() const;
 
-  /** The engine for the next execution: that of the last one when it continues the same streamed update. */
+  /** The engine for the next execution: the last one when it continues the same streamed update. */
   void
   PrepareEngine(const MedialVoxelGrid & grid);
 
@@ -257,8 +258,7 @@ private:
   void
   Pull(const MedialVoxelBox & part);
 
-  /** Edge in voxels of the tiles that threads work on, and voxels along the slowest axis between two pulls of input;
-   * 0 chooses. */
+  /** Edge of the tiles in voxels, and voxels along the slowest axis between two pulls of input; 0 chooses. */
   unsigned int m_TileSize{ 0 };
   unsigned int m_SlabThickness{ 0 };
 

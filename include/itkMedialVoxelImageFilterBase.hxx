@@ -90,7 +90,7 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateInputRequestedReg
   }
   else
   {
-    // All is in the window; what is buffered needs no work of the pipeline.
+    // All is in the window; buffered pixels need no work of the pipeline.
     input->SetRequestedRegion(input->GetBufferedRegion());
   }
 }
@@ -156,7 +156,7 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateData()
   {
     m_Engine.reset();
     m_Work = nullptr;
-    // A buffer that is half written must not count as up to date when the same region is requested again.
+    // A half written buffer must not count as up to date when the same region is requested again.
     for (const auto & output : this->GetOutputs())
     {
       output->ReleaseData();
@@ -231,10 +231,10 @@ template <typename TFunction>
 auto
 MedialVoxelImageFilterBase<TInputImage, TOutputImage>::ReadBeforeRun(TFunction && function)
 {
-  Client                     client(*this, 0, 1);
-  PassProgress               progress(client);
-  const MedialVoxelPollScope scope(progress);
-  return function([](double) { MedialVoxelPoll(); });
+  Client                         client(*this, 0, 1);
+  PassProgress                   progress(client);
+  const MedialVoxelProgressScope scope(progress);
+  return function([](double) { MedialVoxelCheckAbort(); });
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -283,7 +283,7 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::MakeAbortException()
   return std::make_exception_ptr(exception);
 }
 
-/** A buffer is used again for the next piece; one that is too small must go first, or there would be two of them. */
+/** A buffer is used again for the next piece; free a small one first, so there are never two. */
 template <typename TInputImage, typename TOutputImage>
 void
 MedialVoxelImageFilterBase<TInputImage, TOutputImage>::ReleaseSmallOutputs()

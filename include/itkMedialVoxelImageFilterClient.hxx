@@ -49,7 +49,7 @@ private:
   Self & m_Filter;
 };
 
-/** What the engine gets from the filter: threads, and places for the results. */
+/** Gives the engine the threads and outputs of the filter. */
 template <typename TInputImage, typename TOutputImage>
 class MedialVoxelImageFilterBase<TInputImage, TOutputImage>::Client : public MedialVoxelEngineClient
 {
@@ -85,7 +85,7 @@ public:
   }
 
   bool
-  IsAbortRequested() const override
+  IsAborted() const override
   {
     return m_Filter.GetAbortGenerateData();
   }
@@ -102,7 +102,7 @@ private:
   unsigned int m_NumberOfRuns;
 };
 
-/** Lets a pass before the extraction be stopped. Its progress is that of the begin. */
+/** Lets a pass before the extraction be aborted. Progress stays 0. */
 template <typename TInputImage, typename TOutputImage>
 class MedialVoxelImageFilterBase<TInputImage, TOutputImage>::PassProgress : public MedialVoxelProgress
 {
@@ -114,7 +114,7 @@ public:
   bool
   IsAborted() const override
   {
-    return m_Client.IsAbortRequested();
+    return m_Client.IsAborted();
   }
 
   void
@@ -122,7 +122,7 @@ public:
   {}
 
   void
-  Beat() override
+  UpdateObservers() override
   {
     m_Client.UpdateProgress(0.0f);
   }

@@ -4,7 +4,7 @@
 #define itkMedialVoxelInput_h
 
 #include "itkMedialVoxelEnums.h"
-#include "itkMedialVoxelLimit.h"
+#include "itkMedialVoxelExactNumber.h"
 #include "itkMedialVoxelObjectMap.h"
 #include "itkMedialVoxelRoughness.h"
 #include "itkMedialVoxelScanSurvey.h"
@@ -22,7 +22,7 @@ namespace itk
 {
 
 /** \struct MedialVoxelObjectRule
- * \brief Which values are object: those from a lower to an upper limit, or all but one. NaN never is.
+ * \brief The values of the object: from a lower to an upper limit, or all but one. NaN is never object.
  *
  * Limits are compared as numbers: between two values of a type they act like the next value inside, and beyond the
  * range of the type like its end.
@@ -30,19 +30,19 @@ namespace itk
  */
 struct MedialVoxelObjectRule
 {
-  std::optional<MedialVoxelLimit> background{}; ///< all other values are object, whatever the limits are
-  MedialVoxelLimit                lower{ -std::numeric_limits<double>::infinity() };
-  MedialVoxelLimit                upper{ std::numeric_limits<double>::infinity() };
+  std::optional<MedialVoxelExactNumber> background{}; ///< all other values are object, whatever the limits are
+  MedialVoxelExactNumber                lower{ -std::numeric_limits<double>::infinity() };
+  MedialVoxelExactNumber                upper{ std::numeric_limits<double>::infinity() };
 };
 
 /** \class MedialVoxelInput
- * \brief The object and the values of an image, as the tasks of a run need them.
+ * \brief The object and the values of an image, for the tasks of a run.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelInput : public MedialVoxelObjectSource
 {
 public:
-  /** Hears which part of the image a pass before the run has read, from 0 to 1; throws to stop. */
+  /** Called with the share of the image that a pass before the run has read, from 0 to 1; may throw to abort. */
   using Observer = std::function<void(double)>;
 
   /** \param source must outlive it */
@@ -72,7 +72,7 @@ private:
 };
 
 /** \class MedialVoxelObjectInput
- * \brief One object, which a rule makes of values. It is smoothed always, never, or when it is rough; values stay.
+ * \brief One object, defined by a rule on values. It is smoothed always, never, or when it is rough; values stay.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelObjectInput : public MedialVoxelInput
@@ -113,9 +113,9 @@ public:
   static std::uint64_t
   GetBytesToSmooth(const MedialVoxelBox & image, MedialVoxelValueType type, std::int64_t rowsReadTogether);
 
-  /** Find out from samples what the values beside a threshold are made of. There is no scan with two thresholds.
+  /** Find the materials beside a threshold from samples. With two thresholds there is no scan.
    * \param lower, upper thresholds, of which one or both may be infinite
-   * \param levels       of the materials, when they are known */
+   * \param levels       of the materials, when known */
   MedialVoxelScanResult
   SurveyScan(const MedialVoxelGrid &                      grid,
              double                                       lower,
@@ -131,7 +131,7 @@ private:
 };
 
 /** \class MedialVoxelLabelInput
- * \brief Many objects, each with a value of its own, which are shown in passes.
+ * \brief Many objects, each with its own value, processed in passes.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelLabelInput
@@ -140,7 +140,7 @@ class MedialVoxel_EXPORT MedialVoxelLabelInput
 {
 public:
   /** \param image all voxels
-   * \param labels          that are objects, none of them 0; empty: all values but 0
+   * \param labels          values of objects, none of them 0; empty: all values but 0
    * \param maximumPoreSize of the extraction */
   MedialVoxelLabelInput(MedialVoxelValueSource &          source,
                         const MedialVoxelBox &            image,
@@ -162,14 +162,14 @@ public:
   void
   ReadObjects(const MedialVoxelBox & box, MedialVoxelObjectNumber * objects) override;
 
-  /** The objects of the pass that is shown. Values that are not a number are those of the first pass. */
+  /** The objects of the current pass. Values that are not a number belong to the first pass. */
   void
   Fill(const MedialVoxelBox & box, const MedialVoxelTargets & targets) override;
 
 private:
-  /** Call function(part, view) in the order of the voxels. */
+  /** Call function(span, view) in the order of the voxels. */
   void
-  ForEachPart(const MedialVoxelBox & box, const MedialVoxelValueSource::PartFunction & function);
+  ForEachSpan(const MedialVoxelBox & box, const MedialVoxelValueSource::SpanFunction & function);
 
   MedialVoxelBox            m_Image;
   std::vector<std::int64_t> m_Labels;

@@ -19,14 +19,13 @@ namespace itk
 {
 
 /** \class MedialVoxelLabelSurvey
- * \brief Finds the objects of a label map, and which of them are close, while its values come by once from the first to
- * the last.
+ * \brief Finds the objects of a label map and the close pairs among them, in one pass over its values.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelLabelSurvey
 {
 public:
-  /** What was found. */
+  /** The result. */
   struct Result
   {
     std::vector<std::int64_t>            values;  ///< of the objects, ascending
@@ -35,14 +34,14 @@ public:
     std::vector<std::int64_t>            missing; ///< selected values that no voxel has
   };
 
-  /** \param values that are objects, none of them 0; empty: all but 0
+  /** \param values of objects, none of them 0; empty: all but 0
    * \param size of the image, 1 along unused axes
    * \param maximumPoreSize of the extraction */
   MedialVoxelLabelSurvey(std::vector<std::int64_t> values,
                          const MedialVoxelIndex &  size,
                          std::uint64_t             maximumPoreSize);
 
-  /** Adds values that follow the ones before.
+  /** Adds the next values.
    * \return their objects, numbered as they came, until the next call
    * \throw MedialVoxelLabelError for a number that is not whole, for too many values, or for too many that are close */
   template <typename TValue>
@@ -90,7 +89,7 @@ private:
     if (!label)
     {
       using Shown = std::conditional_t<std::is_integral_v<TValue>, std::uint64_t, double>;
-      RefuseValue(static_cast<Shown>(value)); // of whole numbers only those of 64 bits are too large
+      RefuseValue(static_cast<Shown>(value)); // among whole numbers, only 64-bit ones are too large
     }
     return this->FindLabel(*label);
   }

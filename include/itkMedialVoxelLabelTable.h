@@ -16,7 +16,7 @@
 namespace itk
 {
 
-/** Of an object of a label map: 1 for the smallest value, and so on; 0: none.
+/** Number of an object of a label map: 1 for the smallest value, and so on; 0: none.
  * \ingroup MedialVoxel */
 using MedialVoxelObjectNumber = std::uint16_t;
 
@@ -53,7 +53,7 @@ MedialVoxelToLabel(const TValue value)
 }
 
 /** \class MedialVoxelLabelTable
- * \brief The values that are objects, and their numbers.
+ * \brief The values of the objects, and their numbers.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelLabelTable
@@ -97,7 +97,7 @@ public:
     return isNear ? m_Near[static_cast<std::size_t>(value - m_Values.front())] : MedialVoxelObjectNumber{ 0 };
   }
 
-  /** Turns values into numbers. Neighbors mostly have the same value. */
+  /** Turns values into numbers; fast where neighbors have the same value. */
   template <typename TValue>
   void
   Translate(const TValue * values, std::size_t count, MedialVoxelObjectNumber * numbers) const

@@ -14,7 +14,7 @@ namespace itk
 /** \struct MedialVoxelLocalThicknessSums
  * \brief Sums of a map of local thickness over the voxels with a thickness.
  *
- * Whole numbers, so that any division of the voxels gives the same: lengths are multiples of the maximum over 2^21.
+ * Whole numbers, so any division of the voxels gives the same sums: lengths are multiples of the maximum over 2^21.
  * \ingroup MedialVoxel
  */
 struct MedialVoxel_EXPORT MedialVoxelLocalThicknessSums
@@ -25,7 +25,7 @@ struct MedialVoxel_EXPORT MedialVoxelLocalThicknessSums
   std::uint64_t highSquares{ 0 }; ///< of the upper bits of these
   float         largest{ 0.0f };
 
-  /** \param thickness  of voxels; 0 or NaN where there is none
+  /** \param thickness  of voxels; 0 or NaN: none
    * \param maximum  no thickness is larger; greater than 0 */
   void
   Add(const std::vector<float> & thickness, float maximum);
@@ -37,7 +37,7 @@ struct MedialVoxel_EXPORT MedialVoxelLocalThicknessSums
   double
   GetMean(float maximum) const;
 
-  /** Of the voxels themselves: the root of the mean squared difference from the mean; 0 without voxels. */
+  /** Standard deviation of the voxels themselves; 0 without voxels. */
   double
   GetStandardDeviation(float maximum) const;
 };

@@ -13,7 +13,7 @@ namespace itk
 {
 
 /** \class MedialVoxelMemoryError
- * \brief The working memory limit of a filter does not hold what a single voxel of the image depends on.
+ * \brief A single voxel of the image depends on more voxels than the working memory limit of a filter can hold.
  * \ingroup MedialVoxel
  */
 class MedialVoxelMemoryError : public MemoryAllocationError
@@ -31,7 +31,7 @@ public:
     return "MedialVoxelMemoryError";
   }
 
-  /** Bytes that the step at hand needs; later ones may need more. */
+  /** Bytes that the current step needs; later ones may need more. */
   std::uint64_t
   GetNeededBytes() const
   {
@@ -49,8 +49,8 @@ private:
   std::uint64_t m_AllowedBytes;
 };
 
-/** Calls a function of the library below the filters. Hosts of ITK end at exceptions of other kinds, so that those of
- * the library become exceptions of ITK. Those of observers are theirs. */
+/** Calls a function of the library below the filters. Hosts of ITK catch only exceptions of ITK, so exceptions of the
+ * library become exceptions of ITK. Exceptions of observers pass unchanged. */
 template <typename TFunction>
 decltype(auto)
 MedialVoxelWithItkErrors(TFunction && function)

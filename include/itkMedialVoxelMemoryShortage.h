@@ -12,7 +12,7 @@ namespace itk
 {
 
 /** \class MedialVoxelMemoryShortage
- * \brief The memory that an engine may use does not hold what a single voxel of the image depends on.
+ * \brief A single voxel of the image depends on more voxels than the memory limit of an engine can hold.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelMemoryShortage : public std::runtime_error
@@ -20,7 +20,7 @@ class MedialVoxel_EXPORT MedialVoxelMemoryShortage : public std::runtime_error
 public:
   MedialVoxelMemoryShortage(std::uint64_t neededBytes, std::uint64_t allowedBytes);
 
-  /** Bytes that the step at hand needs; later ones may need more. */
+  /** Bytes that the current step needs; later ones may need more. */
   std::uint64_t
   GetNeededBytes() const
   {

@@ -19,7 +19,7 @@ namespace itk
 {
 
 /** \class MedialVoxelLabelError
- * \brief The values of an image are not those of a label map.
+ * \brief An image is no label map.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelLabelError : public std::runtime_error
@@ -29,13 +29,12 @@ public:
 };
 
 /** \class MedialVoxelObjectAdjacency
- * \brief Which objects of a label map are so close that one may change the result of the other, and passes without such
- * pairs.
+ * \brief Finds the pairs of objects of a label map that may change each other's result, and passes without these pairs.
  *
  * Two objects whose voxels are at least 4 apart along one axis share no boundary voxel, and no path on the boundary
- * leads from one to the other. When small pores are filled, they must also be too far apart for one to lie in a pore of
- * the other, so that the reach grows with the size of the pores. Objects are looked for in blocks of the reach: those
- * of the same block or of neighboring blocks count as close, which is never too few.
+ * leads from one to the other. When small pores are filled, none may lie in a pore of the other, so the reach grows
+ * with the size of the pores. Objects in the same block or in neighboring blocks, as large as the reach, count as
+ * close; this finds all pairs, and some more.
  *
  * Objects have numbers from 1 on; 0 is the background. Rows are added from the first to the last, x fastest.
  * \ingroup MedialVoxel
@@ -49,39 +48,41 @@ public:
    * \param maximumPoreSize voxels of the largest pores that are filled, 0 for none */
   MedialVoxelObjectAdjacency(const MedialVoxelIndex & size, std::uint64_t maximumPoreSize);
 
-  /** Largest difference of indices, along the axis where it is largest, of voxels that may influence each other. */
+  /** Largest difference of indices, along any axis, of voxels that may influence each other. */
   static std::int64_t
   GetReach(const MedialVoxelIndex & size, std::uint64_t maximumPoreSize);
 
-  /** Bytes of the blocks of an image of this size, of which nearly none has more than MostInBlock objects. */
+  /** Bytes of the blocks of an image of this size, if nearly none has more than MostInBlock objects. */
   static std::uint64_t
   GetBytes(const MedialVoxelIndex & size, std::uint64_t maximumPoreSize);
 
-  /** More passes than a label map takes: objects of two voxels along each axis that fill an image take some dozens. */
+  /** More passes than any label map needs: an image full of objects of two voxels along each axis takes some dozens. */
   static constexpr std::size_t MostPasses = 128;
 
   /** Add the objects of the next row.
-   * \throw MedialVoxelLabelError as soon as objects that are all close to each other take more than MostPasses */
+   * \throw MedialVoxelLabelError as soon as a group of objects that are all close to each other needs more than
+   * MostPasses */
   void
   AddRow(const ObjectType * row);
 
   /** The pass of each object from 0 on, by number; no two close objects share a pass. Background has pass 0. The same
-   * for any order of the pairs: the object with the fewest passes left comes first, then that with most neighbors, then
-   * the smaller number; it gets the first pass that is free.
+   * for any order of the pairs: the object with the fewest passes left comes first, then most neighbors, then the
+   * smaller number; it gets the first free pass.
    * \param numberOfObjects not less than the largest number of a row
    * \throw MedialVoxelLabelError for more passes than MostPasses */
   std::vector<ObjectType>
   MakePasses(std::size_t numberOfObjects);
 
 private:
-  /** Objects of a block that are kept in place; lists for each of millions of blocks would take ten times the memory.
+  /** Objects of a block that are stored in place; a list for each of millions of blocks would take ten times the
+   * memory.
    */
   static constexpr std::size_t MostInBlock = 4;
 
   /** The objects of blocks, each once. */
   struct Layer
   {
-    std::vector<std::array<ObjectType, MostInBlock>>         first; ///< those that came first; 0: no more
+    std::vector<std::array<ObjectType, MostInBlock>>         first; ///< the first ones; 0: no more
     std::unordered_map<std::size_t, std::vector<ObjectType>> rest;
   };
 
@@ -95,7 +96,7 @@ private:
   void
   FinishLayer();
 
-  /** Objects of a block and of those that are lower by up to 1 along each axis: all are close to each other. */
+  /** Objects of a block and of its neighbors lower by up to 1 along each axis: all are close to each other. */
   void
   CheckPasses(std::int64_t blockX, std::int64_t blockY);
 

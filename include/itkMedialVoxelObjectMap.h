@@ -15,7 +15,7 @@ namespace itk
 {
 
 /** \class MedialVoxelObjectMap
- * \brief An image of many objects, which are shown in passes.
+ * \brief An image of many objects, processed in passes.
  *
  * Objects of a pass are so far apart that none changes the result of another.
  * \ingroup MedialVoxel
@@ -66,7 +66,7 @@ public:
     return m_ShownPass;
   }
 
-  /** Whether an object is one of the pass that is shown; background never is. */
+  /** Whether an object is in the current pass; background never is. */
   bool
   IsShown(const MedialVoxelObjectNumber object) const
   {

@@ -16,7 +16,7 @@ namespace itk
 {
 
 /** \class MedialVoxelObjectProperties
- * \brief Properties that all filters of the MedialVoxel module have: object, units and memory.
+ * \brief Properties of all filters of the MedialVoxel module: object, units and memory.
  *
  * \par Object
  * Until a threshold is set, voxels that differ from BackgroundValue are object. Setting LowerThreshold or
@@ -24,7 +24,7 @@ namespace itk
  * on an integer image means at least 73. A threshold given as an integer is exact for all 64 bits; the getters return
  * the nearest double. NaN is never object. The outside of the image is unknown: the end of the image is no boundary.
  *
- * \tparam TSuperclass  the class of ITK that a filter is
+ * \tparam TSuperclass  base class of ITK
  * \ingroup MedialVoxel
  */
 template <typename TSuperclass>
@@ -50,7 +50,7 @@ public:
   SetLowerThreshold(double threshold);
 #else
   virtual void
-  SetLowerThreshold(const MedialVoxelLimit & threshold)
+  SetLowerThreshold(const MedialVoxelExactNumber & threshold)
   {
     this->SetThreshold(m_LowerThreshold, threshold);
   }
@@ -67,7 +67,7 @@ public:
   SetUpperThreshold(double threshold);
 #else
   virtual void
-  SetUpperThreshold(const MedialVoxelLimit & threshold)
+  SetUpperThreshold(const MedialVoxelExactNumber & threshold)
   {
     this->SetThreshold(m_UpperThreshold, threshold);
   }
@@ -118,9 +118,9 @@ public:
   itkGetConstMacro(UseImageSpacing, bool);
   itkBooleanMacro(UseImageSpacing);
 
-  /** Limit in bytes on the window on the input and the memory of all threads, beside the outputs and the part of input
-   * that is pulled; 0 (default) is without limit. Slabs and tiles become smaller to keep it; results stay the same. If
-   * walls are too thick for it, the update throws MedialVoxelMemoryError. */
+  /** Limit in bytes on the window and the memory of all threads, beside the outputs and the pulled part of the input; 0
+   * (default) is without limit. Slabs and tiles become smaller to keep it; results stay the same. If walls are too
+   * thick for it, the update throws MedialVoxelMemoryError. */
   itkSetMacro(WorkingMemoryLimit, SizeValueType);
   itkGetConstMacro(WorkingMemoryLimit, SizeValueType);
 
@@ -196,7 +196,7 @@ private:
   friend class MedialVoxelObjectProperties;
 
   void
-  SetThreshold(MedialVoxelLimit & target, const MedialVoxelLimit & threshold)
+  SetThreshold(MedialVoxelExactNumber & target, const MedialVoxelExactNumber & threshold)
   {
     m_UseObjectValue = false;
     if (!m_UseThresholds || target != threshold)
@@ -207,14 +207,14 @@ private:
     }
   }
 
-  InputPixelType   m_BackgroundValue{};
-  MedialVoxelLimit m_LowerThreshold{ -std::numeric_limits<double>::infinity() };
-  MedialVoxelLimit m_UpperThreshold{ std::numeric_limits<double>::infinity() };
-  bool             m_UseThresholds{ false };
-  InputPixelType   m_ObjectValue{};
-  bool             m_UseObjectValue{ false };
-  bool             m_UseImageSpacing{ true };
-  SizeValueType    m_WorkingMemoryLimit{ 0 };
+  InputPixelType         m_BackgroundValue{};
+  MedialVoxelExactNumber m_LowerThreshold{ -std::numeric_limits<double>::infinity() };
+  MedialVoxelExactNumber m_UpperThreshold{ std::numeric_limits<double>::infinity() };
+  bool                   m_UseThresholds{ false };
+  InputPixelType         m_ObjectValue{};
+  bool                   m_UseObjectValue{ false };
+  bool                   m_UseImageSpacing{ true };
+  SizeValueType          m_WorkingMemoryLimit{ 0 };
 };
 
 } // end namespace itk

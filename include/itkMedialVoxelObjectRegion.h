@@ -16,7 +16,7 @@ namespace itk
 {
 
 /** \class MedialVoxelObjectRegion
- * \brief The objects of the voxels of a region, and so those of its cells.
+ * \brief The objects of the voxels and cells of a region.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelObjectRegion
@@ -27,10 +27,10 @@ public:
    * \param maximumPoreSize of the extraction */
   MedialVoxelObjectRegion(MedialVoxelObjectMap & map, const MedialVoxelIndex & size, std::uint64_t maximumPoreSize);
 
-  /** Bytes of a voxel of the region, and of the voxels that its last cells reach into. */
+  /** Bytes of a voxel of the region and of the margin for its last cells. */
   static constexpr std::uint64_t BytesPerVoxel = sizeof(MedialVoxelObjectNumber);
 
-  /** Read the voxels of a region, and those that its last cells reach into. */
+  /** Read the voxels of a region, and one more along each axis for its last cells. */
   void
   Read(const MedialVoxelBox & region);
 
@@ -41,7 +41,7 @@ public:
     return m_Box;
   }
 
-  /** The object of a pass that a cell has a corner in; 0 when it has none. Two objects of a pass are never in one cell.
+  /** The object of a pass at a corner of a cell; 0 without one. A cell never has two objects of a pass.
    * \param cell of the region */
   MedialVoxelObjectNumber
   FindObject(const MedialVoxelIndex & cell, const unsigned int pass) const
@@ -59,12 +59,12 @@ public:
     return 0;
   }
 
-  /** The object with the filled pore that a cell without a corner in an object lies in; 0 when there is none. Reads the
-   * voxels around it, so that it must not be called from threads of the engine. */
+  /** For a cell without object corner: the object whose filled pore holds it; 0 when there is none. Reads the voxels
+   * around the cell, so threads of the engine must not call it. */
   MedialVoxelObjectNumber
   FindObjectOfPore(const MedialVoxelIndex & cell, unsigned int pass) const;
 
-  /** One or the other: of every cell that a pass has results for. Like the latter not for threads of the engine. */
+  /** One or the other, for every cell with results of a pass. Threads of the engine must not call it either. */
   MedialVoxelObjectNumber
   FindOwner(const MedialVoxelIndex & cell, const unsigned int pass) const
   {

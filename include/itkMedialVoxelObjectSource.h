@@ -11,8 +11,8 @@
 namespace itk
 {
 
-/** Threads that may ask a source for voxels: the one that runs the engine, any but one at a time, or several at a time
- * for voxels of different rows.
+/** Threads that may ask a source for voxels: only the one that runs the engine; any, one at a time; or several at a
+ * time for different rows.
  * \ingroup MedialVoxel */
 enum class MedialVoxelSourceThreads : std::uint8_t
 {
@@ -22,18 +22,18 @@ enum class MedialVoxelSourceThreads : std::uint8_t
 };
 
 /** \struct MedialVoxelTargets
- * \brief Where the voxels of a box go; null: they are not wanted.
+ * \brief Targets of the voxels of a box; null: not wanted.
  * \ingroup MedialVoxel
  */
 struct MedialVoxelTargets
 {
-  MedialVoxelBits * object{ nullptr };     ///< clear bits; those of the object are set
+  MedialVoxelBits * object{ nullptr };     ///< clear bits; the source sets bits of the object
   MedialVoxelBits * notANumber{ nullptr }; ///< the same for values that are not a number
   MedialVoxelGray * gray{ nullptr };       ///< values
 };
 
 /** \class MedialVoxelObjectSource
- * \brief Where a window gets object bits from.
+ * \brief Source of the object bits of a window.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelObjectSource
@@ -41,17 +41,17 @@ class MedialVoxel_EXPORT MedialVoxelObjectSource
 public:
   virtual ~MedialVoxelObjectSource();
 
-  /** Threads that may call the functions that follow; by default the calling thread of the run alone, as pipelines and
+  /** Threads that may call the functions below; by default only the calling thread of the run, as pipelines and
    * interpreters need. */
   virtual MedialVoxelSourceThreads
   GetSourceThreads() const;
 
-  /** Rows, from a multiple of them on, that are best filled by one thread, in all slices that are asked for; 1, the
-   * default: several threads fill slices. */
+  /** Number of rows, from a multiple of it on, that one thread should fill in all requested slices; 1, the default:
+   * several threads fill slices. */
   virtual std::int64_t
   GetRowsReadTogether() const;
 
-  /** Fill what is wanted of \a box. Sources without values are not asked for gray ones. */
+  /** Fill the wanted targets for \a box. Sources without values are not asked for gray ones. */
   virtual void
   Fill(const MedialVoxelBox & box, const MedialVoxelTargets & targets) = 0;
 };

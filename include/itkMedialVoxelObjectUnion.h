@@ -21,8 +21,8 @@ namespace itk
 /** \class MedialVoxelObjectUnion
  * \brief Puts the results of the passes over a label map together, region by region.
  *
- * Of two objects that have a cell, the one for which it is medial gets it, and otherwise the smaller one. The order of
- * passes changes nothing.
+ * A cell of two objects belongs to the one for which it is medial, otherwise to the smaller one. The order of passes
+ * changes nothing.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelObjectUnion
@@ -35,11 +35,11 @@ public:
   struct Cells
   {
     std::uint64_t candidate{ 0 };
-    std::uint64_t medial{ 0 }; ///< also those that other objects share
+    std::uint64_t medial{ 0 }; ///< also cells shared with other objects
   };
 
   /** \struct Values
-   * \brief Results beside the labels. Each cell has those of the object that gets it.
+   * \brief Results beside the labels. Each cell has the results of the object that it belongs to.
    * \ingroup MedialVoxel
    */
   struct Values
@@ -47,7 +47,7 @@ public:
     std::byte * first{ nullptr }; ///< of the voxels of the region, x fastest, all zero
     std::size_t bytesPerVoxel{ 0 };
 
-    /** Writes those of a tile to its voxels. */
+    /** Writes the values of a tile to its voxels. */
     std::function<void(const MedialVoxelTileResult & tile, void * first, const MedialVoxelStrides & strides)> write;
   };
 
@@ -62,11 +62,11 @@ public:
   void
   Begin(const MedialVoxelBox & region, std::vector<Values> values);
 
-  /** Take what the pass that is shown found in a tile. Called by several threads at a time. */
+  /** Take the results of the current pass in a tile. Called by several threads at a time. */
   void
   TakeTile(const MedialVoxelTileResult & tile);
 
-  /** Take what the pass found in filled pores, when all of its tiles have come. */
+  /** Take the results of the pass in filled pores, after all of its tiles. */
   void
   FinishPass();
 
@@ -94,7 +94,7 @@ public:
   }
 
   /** \struct Sums
-   * \brief Cells of a region. Those of a pass that is run again count again.
+   * \brief Counts of cells of a region. A pass that runs again counts again.
    * \ingroup MedialVoxel
    */
   struct Sums
@@ -118,7 +118,7 @@ private:
     std::vector<std::vector<std::byte>> values; ///< of each kind
   };
 
-  /** Let an object have a cell, unless another one keeps it; valueOf(kind) has its values. No two threads have one
+  /** Give a cell to an object, unless another one keeps it; valueOf(kind) has its values. No two threads have the same
    * cell.
    */
   template <typename TValueOf>
@@ -138,7 +138,7 @@ private:
   std::vector<Values>                  m_Values;
   std::vector<std::uint8_t>            m_Labels;
   std::vector<MedialVoxelObjectNumber> m_Objects;
-  std::mutex                           m_Mutex; // of what follows
+  std::mutex                           m_Mutex; // of the members below
   Sums                                 m_Sums;
   std::vector<PoreCell>                m_PoreCells;
 };

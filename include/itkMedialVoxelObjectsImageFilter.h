@@ -17,10 +17,9 @@ namespace itk
  *
  * Each value of the input but 0 is an object of its own; ObjectLabels chooses some. Values are whole numbers from -2^63
  * to 2^63 - 1, at most 65535 different ones. The boundary of an object is every voxel that is not in it, so that
- * objects that touch stay apart. The result is that of updates of MedialVoxelImageFilter with one ObjectValue at a
- * time, put together: a cell that is medial for several objects, or for none of those it belongs to, gets the smallest
- * label. The output GetObjectOutput() has the label of the object of each cell. Numbers of voxels and cells are sums
- * over the objects.
+ * objects that touch stay apart. The result unites updates of MedialVoxelImageFilter with one ObjectValue at a time: a
+ * cell that is medial for several of its objects, or for none, gets the smallest label. The output GetObjectOutput()
+ * has the label of the object of each cell. Numbers of voxels and cells are sums over the objects.
  *
  * Objects that are more than a reach apart (MedialVoxelObjectAdjacency) share a pass. An update reads all of the input
  * once to find them, and holds 5 bytes more for each voxel of the requested region.
@@ -56,7 +55,7 @@ public:
   using ObjectImageType = Image<InputPixelType, ImageDimension>;
   using ObjectLabelsType = std::vector<std::int64_t>;
 
-  /** Values that are objects. None of them is 0, and some voxel has each. Empty (default): all values but 0. */
+  /** Values of the objects. None is 0, and each occurs in the image. Empty (default): all values but 0. */
   virtual void
   SetObjectLabels(const ObjectLabelsType & labels);
   itkGetConstReferenceMacro(ObjectLabels, ObjectLabelsType);

@@ -12,7 +12,7 @@
 namespace itk
 {
 
-/** What the passes over the objects of the input found. */
+/** The results of the passes over the objects of the input. */
 template <typename TInputImage, typename TOutputImage>
 class MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::Objects
 {
@@ -255,7 +255,7 @@ MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::GetTask(const MedialVo
   if (this->GetGenerateThickness())
   {
     // Of a tile, until its cells have their objects.
-    std::get<MedialVoxelExtraction>(task).observerBytesPerVoxel += sizeof(float);
+    std::get<MedialVoxelSheetExtraction>(task).observerBytesPerVoxel += sizeof(float);
   }
   return task;
 }

@@ -15,7 +15,7 @@
 namespace itk
 {
 
-/** Labels of dual cells. Medial cells are those with a label of at least MedialByBound. */
+/** Labels of dual cells. Medial cells have at least MedialByBound. */
 namespace MedialVoxelLabel
 {
 constexpr std::uint8_t NoObject = 0;
@@ -30,8 +30,8 @@ constexpr std::uint8_t MedialByGeodesic = 3;
  */
 struct MedialVoxel_EXPORT MedialVoxelParameters
 {
-  /** Threshold on the geodesic distance; a cell is medial when its distance is not below it. With an automatic
-   * thickness: the smallest one. */
+  /** Threshold on the geodesic distance: a cell is medial when its distance is not below it. With an automatic
+   * thickness, the smallest threshold. */
   double epsilon{ 0.0 };
 
   MedialVoxelPseudoGeodesicBound bound{ MedialVoxelPseudoGeodesicBound::FreeSpace };
@@ -39,18 +39,17 @@ struct MedialVoxel_EXPORT MedialVoxelParameters
   MedialVoxelThicknessMode mode{ MedialVoxelThicknessMode::Fixed };
 
   /** For an automatic thickness: the threshold is this many times the radius of the largest ball that covers the cell,
-   * where balls larger than \a largestRadius count as that. */
+   * but at most \a largestRadius. */
   double thicknessFactor{ ThicknessFactor };
   double largestRadius{ 0.0 };
 
   /** Voxels of the largest components that MedialVoxelSmallComponents changes before anything else; 0 for none. */
   std::uint64_t maximumPoreSize{ 0 };
 
-  /** The largest maximumPoreSize: a list of so many voxels is kept. */
+  /** Largest maximumPoreSize: a list holds so many voxels. */
   static constexpr std::uint64_t LargestMaximumPoreSize = 1000000;
 
-  /** Between pi, which is Eq. 1 with the thickness of the wall, and 2.3, which an edge of a plate stays below on the
-   * grid. */
+  /** Between pi (Eq. 1 with the thickness of the wall) and 2.3 (edges of plates on the grid stay below it). */
   static constexpr double ThicknessFactor = 3.0;
 
   /** Defaults of the automatic thickness: walls from and to so many voxels, and its maximumPoreSize. */
@@ -62,7 +61,7 @@ struct MedialVoxel_EXPORT MedialVoxelParameters
   static std::uint64_t
   GetDefaultMaximumPoreSize(MedialVoxelThicknessMode mode);
 
-  /** What users say; thicknesses are in the units of the spacing. */
+  /** The choices of users; thicknesses are in the units of the spacing. */
   struct Settings
   {
     MedialVoxelThicknessMode       mode{ MedialVoxelThicknessMode::Fixed };
@@ -73,7 +72,7 @@ struct MedialVoxel_EXPORT MedialVoxelParameters
     MedialVoxelPseudoGeodesicBound bound{ MedialVoxelPseudoGeodesicBound::FreeSpace };
   };
 
-  /** The parameters that \a settings mean; a fixed thickness is at least MedialVoxelGridLimits::LeastThickness(). */
+  /** The parameters for \a settings; a fixed thickness is at least MedialVoxelGridLimits::LeastThickness(). */
   static MedialVoxelParameters
   ForSettings(const MedialVoxelGrid & grid, const Settings & settings);
 
@@ -93,7 +92,7 @@ struct MedialVoxel_EXPORT MedialVoxelParameters
   static Limits
   LimitsOfWalls(const MedialVoxelGrid & grid, double minimum, double maximum);
 
-  /** The thickness of the walls themselves, from \a minimum on; walls up to \a maximum are to be sheets. */
+  /** Thresholds from the thickness of the walls, from \a minimum on; walls up to \a maximum become sheets. */
   static MedialVoxelParameters
   ForWalls(double minimum, double maximum, MedialVoxelPseudoGeodesicBound bound);
 

@@ -13,7 +13,7 @@ namespace itk
 {
 
 /** \class MedialVoxelAborted
- * \brief Ends work that nobody wants any more, unless its progress throws something else.
+ * \brief Ends aborted work, unless its progress throws something else.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelAborted : public std::runtime_error
@@ -23,9 +23,10 @@ public:
 };
 
 /** \class MedialVoxelProgress
- * \brief What long work asks and tells, from any thread.
+ * \brief Lets users abort long work and watch it, from any thread.
  *
- * Kernels call MedialVoxelPoll() in each loop that can be long; a MedialVoxelPollScope says whom that asks.
+ * Kernels call MedialVoxelCheckAbort() in each loop that can be long; it asks the progress of the
+ * MedialVoxelProgressScope.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelProgress
@@ -33,7 +34,7 @@ class MedialVoxel_EXPORT MedialVoxelProgress
 public:
   virtual ~MedialVoxelProgress();
 
-  /** True when the work is to stop as soon as possible; its results are then discarded. Takes a few nanoseconds. */
+  /** True when the work shall end as soon as possible; its results are then discarded. Takes a few nanoseconds. */
   virtual bool
   IsAborted() const = 0;
 
@@ -41,17 +42,17 @@ public:
   virtual void
   Advance(std::uint64_t voxels) = 0;
 
-  /** A sign of life of a thread, ten times a second while it polls. May call observers; does nothing by default. */
+  /** Called ten times a second by a thread that checks for an abort. May call observers; does nothing by default. */
   virtual void
-  Beat();
+  UpdateObservers();
 
-  /** Throws what ends aborted work, by default MedialVoxelAborted. */
+  /** Throws the exception of aborted work, by default MedialVoxelAborted. */
   [[noreturn]] virtual void
   ThrowAborted() const;
 };
 
 /** \class MedialVoxelNoProgress
- * \brief For work that nobody watches or stops.
+ * \brief For work without observers or abort.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelNoProgress : public MedialVoxelProgress
@@ -64,53 +65,53 @@ public:
   Advance(std::uint64_t voxels) override;
 };
 
-/** \class MedialVoxelPollScope
- * \brief Names the progress that MedialVoxelPoll() asks in this thread until the end of the scope.
+/** \class MedialVoxelProgressScope
+ * \brief Sets the progress that MedialVoxelCheckAbort() asks in this thread until the end of the scope.
  *
  * An inner scope hides an outer one.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelPollScope
+class MedialVoxel_EXPORT MedialVoxelProgressScope
 {
 public:
   /** \a progress must outlive the scope. */
-  explicit MedialVoxelPollScope(MedialVoxelProgress & progress);
-  ~MedialVoxelPollScope();
+  explicit MedialVoxelProgressScope(MedialVoxelProgress & progress);
+  ~MedialVoxelProgressScope();
 
-  MedialVoxelPollScope(const MedialVoxelPollScope &) = delete;
-  MedialVoxelPollScope &
-  operator=(const MedialVoxelPollScope &) = delete;
+  MedialVoxelProgressScope(const MedialVoxelProgressScope &) = delete;
+  MedialVoxelProgressScope &
+  operator=(const MedialVoxelProgressScope &) = delete;
 
 private:
   MedialVoxelProgress *                 m_OuterProgress;
-  std::chrono::steady_clock::time_point m_OuterNextBeat;
+  std::chrono::steady_clock::time_point m_OuterNextUpdate;
 };
 
-/** Asks the progress of this thread whether to go on, and gives it a sign of life when a tenth of a second has passed.
- * Takes some tens of nanoseconds. Without a scope it does nothing. Throws what the progress throws when it is aborted.
+/** Throws when the progress of this thread is aborted; updates its observers when a tenth of a second has passed. Takes
+ * some tens of nanoseconds. Without a scope it does nothing.
  * \ingroup MedialVoxel
  */
 MedialVoxel_EXPORT void
-MedialVoxelPoll();
+MedialVoxelCheckAbort();
 
-/** \class MedialVoxelPollCounter
- * \brief Polls now and then in a loop whose steps are too short to poll in each.
+/** \class MedialVoxelAbortChecker
+ * \brief Checks for an abort now and then, in loops whose steps are too short for a check each.
  * \ingroup MedialVoxel
  */
-class MedialVoxelPollCounter
+class MedialVoxelAbortChecker
 {
 public:
-  /** Steps between two polls. At a tenth of a microsecond for each step, half a millisecond passes. */
-  static constexpr std::uint32_t StepsPerPoll = 4096;
+  /** Steps between two checks: half a millisecond at a tenth of a microsecond for each step. */
+  static constexpr std::uint32_t StepsPerCheck = 4096;
 
   void
   Count(const std::uint32_t steps = 1)
   {
     m_Steps += steps;
-    if (m_Steps >= StepsPerPoll)
+    if (m_Steps >= StepsPerCheck)
     {
       m_Steps = 0;
-      MedialVoxelPoll();
+      MedialVoxelCheckAbort();
     }
   }
 

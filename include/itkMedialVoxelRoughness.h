@@ -18,7 +18,7 @@ namespace itk
  * \brief How much noise a mask has: the share of the voxels at its border that stand alone.
  *
  * A voxel at the border is not at a face of the image and has one of the other kind among its neighbors. It is rough
- * when all but at most one of its neighbors along the axes are of the other kind. Smooth masks have few such voxels,
+ * when all but at most one of its neighbors along the axes are of the other kind. Smooth masks have few rough voxels,
  * whatever their shape. Axes with one voxel do not count.
  * \ingroup MedialVoxel
  */
@@ -57,7 +57,7 @@ MedialVoxel_EXPORT MedialVoxelRoughness
 MedialVoxelMeasureRoughness(const MedialVoxelBits & object, const MedialVoxelBox & box, const MedialVoxelBox & image);
 
 /** \class MedialVoxelRoughnessPass
- * \brief How a whole object is read once, slices by slices, to be measured.
+ * \brief A pass over a whole object, slices by slices, to measure it.
  * \ingroup MedialVoxel
  */
 struct MedialVoxelRoughnessPass
@@ -68,10 +68,10 @@ struct MedialVoxelRoughnessPass
   /** Sets the bits of the object voxels of a box. */
   std::function<void(const MedialVoxelBox & box, MedialVoxelBits & object)> fill;
 
-  /** Does \a work for each of the boxes, in any order, also in several threads. */
+  /** Calls \a work for each of the boxes, in any order, also in several threads. */
   std::function<void(const Boxes & boxes, const Work & work)> forEach;
 
-  /** Hears which part of the object was read, from 0 to 1; throws to stop. */
+  /** Called with the share of the object that was read, from 0 to 1; may throw to abort. */
   std::function<void(double)> observe;
 
   std::int64_t rows{ 1 };   ///< that are best read together, in all slices; 1: slices are

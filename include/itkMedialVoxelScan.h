@@ -10,7 +10,7 @@ namespace itk
 {
 
 /** \class MedialVoxelScan
- * \brief What the gray values of a scan are made of: two materials, a blur and noise.
+ * \brief A model of the gray values of a scan: two materials, a blur and noise.
  *
  * Across a flat surface the mean values rise from \a background to \a material like the cumulative normal distribution
  * with the standard deviation \a blur.
@@ -20,9 +20,9 @@ struct MedialVoxelScan
 {
   double background{ 0.0 };  ///< value of voxels without material
   double material{ 0.0 };    ///< value of voxels inside thick walls; may be the smaller one
-  double blur{ 0.0 };        ///< in voxels, greater than 0; that of the voxel itself is included
+  double blur{ 0.0 };        ///< in voxels, greater than 0; includes the blur of the voxel itself
   double noise{ 0.0 };       ///< standard deviation of a value, at least 0
-  double correlation{ 1.0 }; ///< factor by which the variance of local means exceeds that of independent values
+  double correlation{ 1.0 }; ///< ratio of the variance of local means to the variance for independent values
 
   /** The noise of a value when the contrast of the materials is 1. */
   double

@@ -27,17 +27,17 @@ struct MedialVoxel_EXPORT MedialVoxelScanLevels
   double background{ 0.0 };
   double material{ 0.0 };
 
-  /** What is wrong with them for an object between two thresholds, of which one or both may be infinite; empty when
-   * nothing is. One of the thresholds must be between them, the material in the object. */
+  /** Error text for levels that do not fit an object between two thresholds, of which one or both may be infinite;
+   * empty when they fit. One of the thresholds must be between the levels, the material in the object. */
   std::string
   FindProblem(double lower, double upper) const;
 };
 
 /** \class MedialVoxelScanSurvey
- * \brief Finds out from samples of a volume what its gray values are made of.
+ * \brief Finds materials, blur and noise of a volume from samples of its gray values.
  *
- * - The background is the median of the values of voxels that have no object voxel within 3 voxels, but one within 8,
- *   without those whose surroundings are raised by a wall that the object lacks.
+ * - The background is the median of the values of voxels that have no object voxel within 3 voxels, but one within 8.
+ *   Voxels near a wall that the object lacks do not count.
  * - The material is the median of values deep in the object: 5.5 voxels, or less when no wall is as thick.
  * - The noise is 1.4826 times the median deviation of the background. Its correlation is the largest ratio of the
  *   variance of means over 3^D and 5^D voxels of the background to that of independent values.
@@ -45,8 +45,8 @@ struct MedialVoxel_EXPORT MedialVoxelScanLevels
  * - It is a mask or a label map where most faces between object and background are sharp: the values do not change from
  *   the voxels at the face to the voxels behind them. One of four object voxels is looked at.
  *
- * Of a large volume some blocks are looked at, and of those some voxels, all chosen by their place, so that results do
- * not depend on how the volume is divided. Axes with one voxel do not count.
+ * Of a large volume, it samples some blocks and some of their voxels, chosen by their place, so results do not depend
+ * on how the volume is divided. Axes with one voxel do not count.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelScanSurvey
@@ -56,7 +56,7 @@ public:
   using Work = std::function<void(const MedialVoxelBox &)>;
 
   /** \struct Source
-   * \brief How the volume is read.
+   * \brief Reads the volume.
    * \ingroup MedialVoxel
    */
   struct Source
@@ -64,10 +64,10 @@ public:
     /** Sets the bits of the object voxels of a box, and its values. */
     std::function<void(const MedialVoxelBox & box, MedialVoxelBits & object, MedialVoxelGray & gray)> fill;
 
-    /** Does \a work for each of the boxes, in any order, also in several threads, which take 11 MiB each. */
+    /** Calls \a work for each of the boxes, in any order, also in several threads, which take 11 MiB each. */
     std::function<void(const Boxes & boxes, const Work & work)> forEach;
 
-    /** Hears which part of the blocks was read, from 0 to 1, one call at a time; throws to stop. */
+    /** Called with the share of the blocks that was read, from 0 to 1, one call at a time; may throw to abort. */
     std::function<void(double)> observe;
   };
 
@@ -78,7 +78,7 @@ public:
   MedialVoxelScanSurvey(const MedialVoxelGrid & grid, double threshold, std::optional<MedialVoxelScanLevels> levels);
 
   /** Looks at the blocks of a volume.
-   * \throw what the functions of the source throw */
+   * \throw any exception of the functions of the source */
   Result
   Run(const Source & source) const;
 

@@ -9,11 +9,11 @@ namespace itk
 {
 
 /** \class MedialVoxelSequentialReader
- * \brief Reads boxes of a volume; asks the disk for what follows while the caller works on what it has.
+ * \brief Reads boxes of a volume, and has the disk read ahead while the caller works.
  *
  * When a box is one run of bytes that begins where the one before ended, or at the first voxel, the system is asked to
- * bring as many bytes after it into its cache, without waiting for them, and without those in holes. A pipeline that
- * pulls slab after slab then finds the next one there. Boxes in any other order are read as they are.
+ * read as many bytes after it into its cache, without waiting and without holes. A pipeline that pulls slab after slab
+ * then finds the next one there. For boxes in any other order there is no reading ahead.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelSequentialReader
@@ -23,7 +23,7 @@ public:
   void
   Read(const MedialVoxelFileRegion & region, const std::vector<MedialVoxelFileSegment> & segments, void * buffer);
 
-  /** Bytes handed out so far; those of holes count. */
+  /** Bytes handed out so far, including holes. */
   std::uint64_t
   GetNumberOfBytesRead() const
   {

@@ -19,7 +19,8 @@ namespace itk
 {
 
 /** \class MedialVoxelSheetProperties
- * \brief Properties of the filters that find medial sheets: which walls are sheets, and what their thickness is.
+ * \brief Properties of the filters that find medial sheets: which walls are sheets, and how their thickness is
+ * measured.
  *
  * \par Automatic thickness
  * With ThicknessMode Automatic each cell p has a threshold of its own,
@@ -86,7 +87,7 @@ public:
   itkSetMacro(MaximumThickness, double);
   itkGetConstMacro(MaximumThickness, double);
 
-  /** Cavities and grains of up to this many voxels are taken for noise and left out.
+  /** Cavities and grains of up to this many voxels count as noise and change sides.
    *
    * From 0, which keeps all, to 1000000. Until a value is set, it is 0 when ThicknessMode is Fixed and 32 when it is
    * Automatic. The window on the input grows by this many voxels on each side. */
@@ -144,7 +145,7 @@ public:
   itkGetConstMacro(SubvoxelThickness, bool);
   itkBooleanMacro(SubvoxelThickness);
 
-  /** Values of background and material for these fits, finite and not equal; default those of the scan. */
+  /** Values of background and material for these fits, finite and not equal; by default the scan decides. */
   virtual void
   SetScanLevels(double background, double material)
   {

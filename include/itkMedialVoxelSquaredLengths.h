@@ -12,7 +12,7 @@ namespace itk
 {
 
 /** \struct MedialVoxelSquaredLengths
- * \brief Squared distances in voxels to the nearest boundary voxels, for voxels of a box whose spacings are equal.
+ * \brief Squared distances in voxels to the nearest boundary voxels, for boxes with equal spacings.
  * \ingroup MedialVoxel
  */
 struct MedialVoxelSquaredLengths

@@ -14,7 +14,7 @@ namespace itk
 {
 
 /** \struct MedialVoxelSums
- * \brief What is counted and measured of tiles, regions or pieces, and adds up.
+ * \brief Counts and measurements of tiles, regions or pieces, which add up.
  * \ingroup MedialVoxel
  */
 struct MedialVoxel_EXPORT MedialVoxelSums

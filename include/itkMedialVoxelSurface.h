@@ -18,14 +18,14 @@ namespace itk
 /** \class MedialVoxelSurface
  * \brief Builds the medial surface of an image while an engine extracts its medial cells.
  *
- * The runs of the engine go through the image in whole slices along the last axis, which follow each other.
+ * The runs of the engine follow each other through the image in whole slices along the last axis.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelSurface
 {
 public:
   /** \struct Settings
-   * \brief The image, its classification, and what of the surface is left out.
+   * \brief The image, its classification, and the limits below which branches and components are removed.
    * \ingroup MedialVoxel
    */
   struct Settings
@@ -35,8 +35,8 @@ public:
     MedialVoxelGrid::SpacingType spacing{}; ///< in the units of the surface
     MedialVoxelSurfacePlacement  placement;
 
-    /** Branches that are shorter, and connected components of fewer quadrilaterals, are left out. For either, the
-     * surface is kept in memory until it is finished. */
+    /** Shorter branches, and components of fewer quadrilaterals, are removed. Either limit keeps the surface in memory
+     * until it is finished. */
     double        minimumBranchLength{ 0.0 };
     std::uint64_t smallestComponent{ 0 };
   };
@@ -52,7 +52,7 @@ public:
   MedialVoxelTileObserver &
   GetObserver();
 
-  /** Hand on what is left, after the last run. */
+  /** Hand on the rest, after the last run. */
   void
   Finish();
 

@@ -15,7 +15,7 @@ namespace itk
 {
 
 /** \struct MedialVoxelSurfacePlacement
- * \brief Where the voxels are: the physical point of index 0, and the physical steps from voxel to voxel.
+ * \brief Places of the voxels: the physical point of index 0, and the physical steps from voxel to voxel.
  * \ingroup MedialVoxel
  */
 struct MedialVoxel_EXPORT MedialVoxelSurfacePlacement
@@ -41,26 +41,27 @@ struct MedialVoxelSurfaceVertex
 {
   std::array<double, 3> point{};        ///< physical
   double                thickness{ 0 }; ///< of the wall, in physical units
-  std::uint16_t         part{ 0 };      ///< of the image, where parts are told apart
+  std::uint16_t         part{ 0 };      ///< of the image, where parts are distinguished
 };
 
 /** \struct MedialVoxelSurfaceQuad
- * \brief A quadrilateral of a medial surface: that of one crossed voxel edge.
+ * \brief A quadrilateral of a medial surface, of one crossed voxel edge.
  *
- * The first vertex is that of the lowest cell around the voxel edge. The others follow so that the normal, the cross
- * product of the diagonals 0-2 and 1-3, has a component that is not negative along (1, sqrt 2, sqrt 3): neighbors
- * agree wherever the surface does not turn its edge to that direction, and it has no ratio with walls along the voxels.
+ * The first vertex is in the lowest cell around the voxel edge. The others follow so that the normal, the cross product
+ * of the diagonals 0-2 and 1-3, has a component that is not negative along (1, sqrt 2, sqrt 3): neighbors agree
+ * wherever the surface does not turn its edge to that direction, which is no multiple of whole numbers.
  * \ingroup MedialVoxel
  */
 struct MedialVoxelSurfaceQuad
 {
   std::array<std::uint64_t, 4> vertices{};
 
-  /** Bits: side k, from vertex k to the next one, belongs to this quadrilateral alone, or to more than two. */
+  /** Bits: side k, from vertex k to the next one, belongs to this quadrilateral alone (first), or to more than two
+   * (second). */
   std::uint8_t rimSides{ 0 };
   std::uint8_t junctionSides{ 0 };
 
-  /** Whether the diagonal 1-3 is the shorter one; 0-2 is it when both are as long. */
+  /** Whether the diagonal 1-3 is shorter than 0-2. */
   bool isSplitAlong13{ false };
 
   /** Of the two triangles along the shorter diagonal. */
@@ -72,8 +73,8 @@ struct MedialVoxelSurfaceQuad
     return areas[0] + areas[1];
   }
 
-  /** Numbers of the vertices of a triangle, 0 or 1: its first two sides are those of the quadrilateral that begin at
-   * the first two vertices, the third one is the diagonal. */
+  /** Numbers of the vertices of a triangle, 0 or 1: its first two sides are sides of the quadrilateral and begin at the
+   * first two vertices; the third one is the diagonal. */
   std::array<unsigned int, 3>
   GetTriangle(const unsigned int half) const
   {
@@ -83,8 +84,8 @@ struct MedialVoxelSurfaceQuad
 };
 
 /** \class MedialVoxelSurfaceConsumer
- * \brief Takes a surface part by part: vertices in the order of their numbers, which count from 0, and quadrilaterals
- * whose vertices it has.
+ * \brief Takes a surface part by part: vertices in the order of their numbers, from 0, and quadrilaterals after their
+ * vertices.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelSurfaceConsumer

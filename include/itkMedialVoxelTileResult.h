@@ -26,8 +26,8 @@ struct MedialVoxelWall;
 /** \class MedialVoxelDisplacementWriter
  * \brief Turns displacements in voxels into vectors of VDimension components.
  *
- * A vector is the matrix times the displacement: in physical units, like that of a displacement field, with direction
- * times spacing; in voxels with the unit matrix. A voxel without a site gets NaN in every component.
+ * A vector is the matrix times the displacement. The matrix is direction times spacing for physical units, as in a
+ * displacement field, and the unit matrix for voxels. A voxel without a site gets NaN in every component.
  * \ingroup MedialVoxel
  */
 template <unsigned int VDimension, typename TValue>
@@ -85,7 +85,7 @@ private:
 };
 
 /** \struct MedialVoxelDistanceScale
- * \brief How distances to the nearest boundary voxels are written; see VectorDistanceMapImageFilter.
+ * \brief Scale of written distances to the nearest boundary voxels; see VectorDistanceMapImageFilter.
  * \ingroup MedialVoxel
  */
 struct MedialVoxelDistanceScale
@@ -96,10 +96,9 @@ struct MedialVoxelDistanceScale
 };
 
 /** \class MedialVoxelTileResult
- * \brief What was found in a tile, which is as long at hand as the tile is being taken. What was not asked for is null.
+ * \brief The results of a tile, valid while the tile is being taken. Results that were not requested are null.
  *
- * The tile is written to buffers in which it begins at \a first, and whose voxels lie as \a strides say. Every voxel of
- * the tile is written.
+ * The tile is written to buffers with \a strides, in which it begins at \a first. Every voxel of the tile is written.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelTileResult
@@ -164,7 +163,7 @@ public:
     });
   }
 
-  /** The thickness of the measured walls, negative at rims; 0 in other cells. */
+  /** The thickness of the measured walls, negative where sides are unpaired; 0 in other cells. */
   void
   WriteThickness(float * first, const MedialVoxelStrides & strides) const;
 

@@ -17,7 +17,7 @@ namespace itk
 {
 
 /** \class MedialVoxelValueSource
- * \brief Where the values of an image come from: a pipeline, a file, or memory.
+ * \brief Source of the values of an image: a pipeline, a file, or memory.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelValueSource
@@ -26,7 +26,7 @@ public:
   using Boxes = std::vector<MedialVoxelBox>;
   using Work = std::function<void(const MedialVoxelBox &)>;
   using ViewFunction = std::function<void(const MedialVoxelValueView &)>;
-  using PartFunction = std::function<void(const MedialVoxelBox &, const MedialVoxelValueView &)>;
+  using SpanFunction = std::function<void(const MedialVoxelBox &, const MedialVoxelValueView &)>;
 
   virtual ~MedialVoxelValueSource();
 
@@ -37,7 +37,8 @@ public:
   virtual MedialVoxelSourceThreads
   GetSourceThreads() const;
 
-  /** Rows, from a multiple of them on, that are best read together, in all slices of a box; 1, the default: slices are.
+  /** Number of rows, from a multiple of it on, to read together in all slices of a box; 1, the default: read whole
+   * slices.
    */
   virtual std::int64_t
   GetRowsReadTogether() const;
@@ -46,22 +47,22 @@ public:
   virtual std::int64_t
   GetSlicesReadTogether() const;
 
-  /** Call \a function(view) with all values of \a box, which are valid meanwhile. */
+  /** Call \a function(view) with all values of \a box, valid during the call. */
   virtual void
   WithBox(const MedialVoxelBox & box, const ViewFunction & function) = 0;
 
-  /** Call \a function(part, view) for parts of \a box that are best read each by itself; by default those of
-   * CutIntoParts(). */
+  /** Call \a function(span, view) for spans of \a box that are best read each by itself; by default for
+   * CutIntoSpans(). */
   virtual void
-  ForEachPart(const MedialVoxelBox & box, const PartFunction & function);
+  ForEachSpan(const MedialVoxelBox & box, const SpanFunction & function);
 
-  /** Parts of \a box of about a megabyte, in the order of the voxels, of which each follows the one before.
-   * \param bytesPerVoxel of what is held of a part */
+  /** Cut \a box into spans of about a megabyte, in the order of the voxels.
+   * \param bytesPerVoxel that a span takes */
   virtual Boxes
-  CutIntoParts(const MedialVoxelBox & box, std::size_t bytesPerVoxel) const;
+  CutIntoSpans(const MedialVoxelBox & box, std::size_t bytesPerVoxel) const;
 
-  /** Do \a work for each of the boxes, by default one after the other.
-   * \param mostThreads that do so at a time; 0 is without limit */
+  /** Call \a work for each of the boxes, by default one after the other.
+   * \param mostThreads at the same time; 0 is without limit */
   virtual void
   ForEach(const Boxes & boxes, unsigned int mostThreads, const Work & work);
 

@@ -86,7 +86,7 @@ MedialVoxelWithValueType(const MedialVoxelValueType type, TFunction && function)
  */
 struct MedialVoxelValueView
 {
-  const void *       values{ nullptr }; ///< the first one; those of a row follow each other
+  const void *       values{ nullptr }; ///< the first one; values of a row follow each other
   MedialVoxelStrides strides{};         ///< in values, from row to row and slice to slice
   bool               areEqual{ false }; ///< all of them, as nothing is stored for the box
 };

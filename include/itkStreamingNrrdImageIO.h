@@ -141,7 +141,7 @@ private:
   MedialVoxelFileSegment
   LocateInExistingFile() const;
 
-  /** Throws what went wrong, after removing a file that this object created. */
+  /** Removes a file that this object created, and throws the error. */
   [[noreturn]] void
   RefuseWriting(const std::runtime_error & cause);
 

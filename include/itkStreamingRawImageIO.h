@@ -76,7 +76,7 @@ public:
   bool
   SupportsDimension(unsigned long dimension) override;
 
-  /** False: such files have no signature. */
+  /** False: raw files have no signature. */
   bool
   CanReadFile(const char * fileName) override;
 

@@ -28,8 +28,8 @@ namespace itk
  * outside Region are zero in both. (On an image without boundary SignedMaurerDistanceMapImageFilter gives the largest
  * number instead.)
  *
- * The filter streams: any requested region gives the same values as the whole image, for any number of threads, and the
- * input is asked only for what the region depends on. A voxel at distance d depends on input as far as d away, or on
+ * The filter streams: any requested region gives the same values as the whole image, for any number of threads, and
+ * reads only the input that the region depends on. A voxel at distance d depends on input as far as d away, or on
  * MaximumDistance if that is less.
  *
  * \sa SignedMaurerDistanceMapImageFilter

@@ -7,7 +7,7 @@
 # together.
 set(_identity
     "Identity|AnyDivision|AnyCut|SameBytes|BruteForce|Oracle|PlainDijkstra|Damaged|FindsTheNearestVoxels|InMemoryReference"
-    "|ThreadsDoNotChange|MedialVoxelPolling|MedialVoxelRealData|MedialVoxelObjectMaps|MedialVoxelSurfaceManifold"
+    "|ThreadsDoNotChange|MedialVoxelAbortCheck|MedialVoxelRealData|MedialVoxelObjectMaps|MedialVoxelSurfaceManifold"
     "|MedialVoxelSurfaceGray|MedialVoxelSurfaceCells|MedialVoxelRemeshedSheet|MedialVoxelSheetPart|MedialVoxelBoundaryGraph"
     "|MedialVoxelAutomaticQuality|MedialVoxelGrayThickness|MedialVoxelThickness\\.Tilted|MedialVoxelSurfaceQuality"
     "|TilesAreTheDefinitions|NothingStaysOfTheTilesBefore|MedialVoxelAbort")

@@ -59,7 +59,7 @@ public:
         EXPECT_TRUE(classifier.GetWallPoints(features, cell, wall));
         const itk::MedialVoxelWall measured = thickness.Measure(object, wall);
         m_Values.push_back(static_cast<double>(measured.thickness));
-        if (!measured.isRim)
+        if (!measured.isUnpaired)
         {
           m_WallValues.push_back(m_Values.back());
         }

@@ -74,7 +74,7 @@ public:
   }
 
   bool
-  IsAbortRequested() const override
+  IsAborted() const override
   {
     return m_NumberOfTiles >= m_TilesToAbort;
   }
@@ -96,7 +96,7 @@ public:
   {}
 
   std::uint64_t
-  GetWorkerBytesPerVoxel() const override
+  GetBytesPerVoxel() const override
   {
     return 1;
   }
@@ -153,10 +153,10 @@ SettingsFor(const itk::MedialVoxelEngineTask & task)
   return settings;
 }
 
-itk::MedialVoxelExtraction
+itk::MedialVoxelSheetExtraction
 ExtractionOf(double thickness)
 {
-  itk::MedialVoxelExtraction extraction;
+  itk::MedialVoxelSheetExtraction extraction;
   extraction.parameters =
     itk::MedialVoxelParameters::ForThickness(thickness, itk::MedialVoxelPseudoGeodesicBound::FreeSpace);
   return extraction;
@@ -200,9 +200,9 @@ TEST(MedialVoxelEngine, FindsTheNearestVoxels)
 
 TEST(MedialVoxelEngine, StopsWhenTheClientWantsIt)
 {
-  PlainClient                client(Boxes());
-  CountingObserver           observer(Boxes());
-  itk::MedialVoxelExtraction extraction = ExtractionOf(3.0);
+  PlainClient                     client(Boxes());
+  CountingObserver                observer(Boxes());
+  itk::MedialVoxelSheetExtraction extraction = ExtractionOf(3.0);
   extraction.AddObserver(observer);
   itk::MedialVoxelEngine engine(GridOf(Boxes()), SettingsFor(extraction));
   client.m_TilesToAbort = 5;
@@ -223,10 +223,10 @@ TEST(MedialVoxelEngine, NoObserverSeesATileTwice)
 {
   for (const std::uint64_t limit : { 0u, 1500000u })
   {
-    CountingObserver           first(Boxes());
-    DemandingObserver          demanding(Boxes());
-    CountingObserver           last(Boxes());
-    itk::MedialVoxelExtraction extraction = ExtractionOf(3.0);
+    CountingObserver                first(Boxes());
+    DemandingObserver               demanding(Boxes());
+    CountingObserver                last(Boxes());
+    itk::MedialVoxelSheetExtraction extraction = ExtractionOf(3.0);
     for (itk::MedialVoxelTileObserver * const observer : { static_cast<itk::MedialVoxelTileObserver *>(&first),
                                                            static_cast<itk::MedialVoxelTileObserver *>(&demanding),
                                                            static_cast<itk::MedialVoxelTileObserver *>(&last) })
@@ -248,8 +248,8 @@ TEST(MedialVoxelEngine, NoObserverSeesATileTwice)
 
 TEST(MedialVoxelEngine, ThePlanCountsTheMemoryOfObservers)
 {
-  CountingObserver           observer(Boxes());
-  itk::MedialVoxelExtraction extraction = ExtractionOf(3.0);
+  CountingObserver                observer(Boxes());
+  itk::MedialVoxelSheetExtraction extraction = ExtractionOf(3.0);
   extraction.isObserved = true;
   const auto box = GridOf(Boxes()).GetVoxelBox();
   const auto without = itk::MedialVoxelEngine(GridOf(Boxes()), SettingsFor(extraction)).GetBytes(box);
@@ -290,7 +290,7 @@ public:
     {
       // As a file that does not come: only an abort ends this.
       m_IsWaiting = true;
-      itk::MedialVoxelPoll();
+      itk::MedialVoxelCheckAbort();
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     PlainClient::Fill(box, targets);
@@ -306,7 +306,7 @@ public:
   }
 
   bool
-  IsAbortRequested() const override
+  IsAborted() const override
   {
     EXPECT_EQ(std::this_thread::get_id(), m_CallingThread);
     return m_IsWaiting;

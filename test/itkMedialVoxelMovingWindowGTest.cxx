@@ -176,9 +176,9 @@ TEST(MedialVoxelMovingWindow, AMoveTakesNoMoreThanItSays)
     {
       sites = MakeBox({ { 0, 0, int(sites.lower[2]) } }, { { 70, 20, int(sites.upper[2]) } });
     }
-    const auto          room = RandomBox(volume.size, generator);
-    const std::uint64_t allowed = window.GetBytesToMove(sites, room);
-    window.MoveTo(sites, room, source);
+    const auto          largestSites = RandomBox(volume.size, generator);
+    const std::uint64_t allowed = window.GetBytesToReframe(sites, largestSites);
+    window.MoveTo(sites, largestSites, source);
     EXPECT_LE(ReservedBytes(window), allowed) << trial;
     EXPECT_GE(allowed, window.GetBytes(sites));
   }
@@ -189,12 +189,12 @@ TEST(MedialVoxelMovingWindow, AWindowWithRoomGrowsInPlace)
   const Volume                 volume = RandomBoxes({ { 70, 20, 30 } }, UnitSpacing, 15, 206);
   CountingSource               source(volume);
   itk::MedialVoxelMovingWindow window(GridOf(volume), BothKinds);
-  const auto                   room = MakeBox({ { 0, 0, 10 } }, { { 70, 20, 20 } });
-  window.MoveTo(MakeBox({ { 0, 0, 0 } }, { { 70, 20, 4 } }), room, source);
+  const auto                   largestSites = MakeBox({ { 0, 0, 10 } }, { { 70, 20, 20 } });
+  window.MoveTo(MakeBox({ { 0, 0, 0 } }, { { 70, 20, 4 } }), largestSites, source);
   const std::uint64_t bytes = ReservedBytes(window);
   const auto          sites = MakeBox({ { 0, 0, 1 } }, { { 70, 20, 11 } });
-  EXPECT_EQ(window.GetBytesToMove(sites, room), bytes);
-  window.MoveTo(sites, room, source);
+  EXPECT_EQ(window.GetBytesToReframe(sites, largestSites), bytes);
+  window.MoveTo(sites, largestSites, source);
   EXPECT_EQ(ReservedBytes(window), bytes);
   EXPECT_EQ(Differences(window, volume, sites), 0u);
 }
@@ -209,7 +209,7 @@ TEST(MedialVoxelMovingWindow, AClearedWindowHasNoMemory)
   EXPECT_GE(ReservedBytes(window), window.GetBytes(sites));
   window.Clear();
   EXPECT_EQ(ReservedBytes(window), 0u);
-  EXPECT_EQ(window.GetBytesToMove(sites, sites), window.GetBytes(sites));
+  EXPECT_EQ(window.GetBytesToReframe(sites, sites), window.GetBytes(sites));
   window.MoveTo(sites, sites, source);
   EXPECT_EQ(Differences(window, volume, sites), 0u);
 }
@@ -258,7 +258,7 @@ TEST(MedialVoxelMovingWindow, KeepsValuesWithTheObject)
   {
     const itk::MedialVoxelBox objectBox = window.GetObjectBox(sites);
     EXPECT_EQ(window.GetBytes(sites), bits.GetBytes(sites) + itk::MedialVoxelGray::GetBytes(objectBox));
-    EXPECT_GE(window.GetBytesToMove(sites, sites), window.GetBytes(sites));
+    EXPECT_GE(window.GetBytesToReframe(sites, sites), window.GetBytes(sites));
     window.MoveTo(sites, sites, source);
     EXPECT_EQ(window.GetGray().GetBox().lower, objectBox.lower);
     EXPECT_EQ(window.GetGray().GetBox().upper, objectBox.upper);

@@ -213,11 +213,11 @@ ExpectExactLimits(const std::vector<TPixel> & values, const std::vector<TPixel> 
     }
     EXPECT_EQ(ObjectOf<TPixel>(values, [limit](auto * f) { f->SetLowerThreshold(limit); }), above) << limit;
     EXPECT_EQ(ObjectOf<TPixel>(values, [limit](auto * f) { f->SetUpperThreshold(limit); }), below) << limit;
-    const auto parsed = itk::MedialVoxelLimit::Parse(std::to_string(limit));
+    const auto parsed = itk::MedialVoxelExactNumber::Parse(std::to_string(limit));
     ASSERT_TRUE(parsed);
-    EXPECT_EQ(*parsed, itk::MedialVoxelLimit(limit));
-    EXPECT_EQ(parsed->Format(), itk::MedialVoxelLimit(limit).Format());
-    EXPECT_EQ(*itk::MedialVoxelLimit::Parse(parsed->Format()), *parsed);
+    EXPECT_EQ(*parsed, itk::MedialVoxelExactNumber(limit));
+    EXPECT_EQ(parsed->Format(), itk::MedialVoxelExactNumber(limit).Format());
+    EXPECT_EQ(*itk::MedialVoxelExactNumber::Parse(parsed->Format()), *parsed);
   }
 }
 
@@ -257,20 +257,20 @@ TEST(MedialVoxelObject, IntegersOf64BitsAreExactLimits)
   ExpectExactLimits<std::uint64_t>({ 0, last - 2049, last - 1, last, 0 }, { last - 1, last, last - 1024 });
   for (const std::int64_t limit : signedNumbers)
   {
-    const itk::MedialVoxelLimit exact(limit);
+    const itk::MedialVoxelExactNumber exact(limit);
     EXPECT_EQ(exact.GetFirstValue<std::int64_t>(), limit);
     EXPECT_EQ(exact.GetLastValue<std::int64_t>(), limit);
     for (const std::int64_t other : signedNumbers)
     {
       EXPECT_EQ(exact.IsAbove(other), limit > other) << limit << ' ' << other;
-      EXPECT_EQ(exact == itk::MedialVoxelLimit(other), limit == other) << limit << ' ' << other;
+      EXPECT_EQ(exact == itk::MedialVoxelExactNumber(other), limit == other) << limit << ' ' << other;
     }
   }
   for (const std::uint64_t limit : NumbersAroundPowersOfTwo<std::uint64_t>())
   {
-    EXPECT_EQ(itk::MedialVoxelLimit(limit).GetFirstValue<std::uint64_t>(), limit);
-    EXPECT_EQ(itk::MedialVoxelLimit(limit).GetLastValue<std::uint64_t>(), limit);
-    EXPECT_EQ(itk::MedialVoxelLimit::Parse(std::to_string(limit)), itk::MedialVoxelLimit(limit)) << limit;
+    EXPECT_EQ(itk::MedialVoxelExactNumber(limit).GetFirstValue<std::uint64_t>(), limit);
+    EXPECT_EQ(itk::MedialVoxelExactNumber(limit).GetLastValue<std::uint64_t>(), limit);
+    EXPECT_EQ(itk::MedialVoxelExactNumber::Parse(std::to_string(limit)), itk::MedialVoxelExactNumber(limit)) << limit;
   }
 }
 
@@ -287,7 +287,7 @@ TEST(MedialVoxelObject, LimitsBetweenDoublesHoldForRealPixelsToo)
 
 TEST(MedialVoxelObject, LimitsReadTextAsTheNumberThatItIs)
 {
-  using Limit = itk::MedialVoxelLimit;
+  using Limit = itk::MedialVoxelExactNumber;
   EXPECT_EQ(Limit::Parse("72.5"), Limit(72.5));
   EXPECT_EQ(Limit::Parse("-72"), Limit(-72));
   EXPECT_EQ(Limit::Parse("+9007199254740993"), Limit((std::int64_t{ 1 } << 53) + 1));
@@ -387,17 +387,17 @@ TEST(MedialVoxelObject, BytesOfZerosAreToldFromAllOthers)
   std::vector<unsigned char> bytes(70, 0);
   for (std::int64_t count = 0; count <= 70; ++count)
   {
-    EXPECT_TRUE(itk::MedialVoxelAllBytesAreZero(bytes.data(), count));
+    EXPECT_TRUE(itk::MedialVoxelAreAllZero(bytes.data(), count));
     for (std::int64_t set = 0; set < 70; ++set)
     {
       bytes[static_cast<std::size_t>(set)] = 128;
-      EXPECT_EQ(itk::MedialVoxelAllBytesAreZero(bytes.data(), count), set >= count) << set << " of " << count;
+      EXPECT_EQ(itk::MedialVoxelAreAllZero(bytes.data(), count), set >= count) << set << " of " << count;
       bytes[static_cast<std::size_t>(set)] = 0;
     }
   }
   const std::vector<short> last{ 0, 0, 0, 0, 256 };
-  EXPECT_TRUE(itk::MedialVoxelAllBytesAreZero(last.data(), 4));
-  EXPECT_FALSE(itk::MedialVoxelAllBytesAreZero(last.data(), 5));
+  EXPECT_TRUE(itk::MedialVoxelAreAllZero(last.data(), 4));
+  EXPECT_FALSE(itk::MedialVoxelAreAllZero(last.data(), 5));
 }
 
 TEST(MedialVoxelObject, LongRunsOfZerosAreWhatTheObjectSays)

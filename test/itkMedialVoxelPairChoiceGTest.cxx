@@ -79,7 +79,7 @@ WidestOf(const Rows & rows)
 const itk::MedialVoxelGrid UnitGrid({ { 99, 99, 99 } }, { { 1.0, 1.0, 1.0 } });
 } // namespace
 
-TEST(MedialVoxelPairChoice, SpreadCellsHaveADiagonalThatIsNotTrivial)
+TEST(MedialVoxelPairChoice, NontrivialCellsHaveANontrivialDiagonal)
 {
   const itk::MedialVoxelDualCell cell(UnitGrid);
   std::mt19937                   generator(21);
@@ -102,14 +102,14 @@ TEST(MedialVoxelPairChoice, SpreadCellsHaveADiagonalThatIsNotTrivial)
           }
         }
       }
-      ASSERT_EQ(itk::MedialVoxelSpreadCells(rows.Pointers(), asked, static_cast<std::int64_t>(cells)), expected);
+      ASSERT_EQ(itk::MedialVoxelNontrivialCells(rows.Pointers(), asked, static_cast<std::int64_t>(cells)), expected);
       spreadCells += expected != 0 ? 1 : 0;
     }
   }
   EXPECT_GT(spreadCells, 100u);
 }
 
-TEST(MedialVoxelPairChoice, OneSpreadDiagonalAndAxisIsSeen)
+TEST(MedialVoxelPairChoice, OneNontrivialDiagonalAndAxisIsSeen)
 {
   const itk::MedialVoxelDualCell cell(UnitGrid);
   std::mt19937                   generator(22);
@@ -129,7 +129,7 @@ TEST(MedialVoxelPairChoice, OneSpreadDiagonalAndAxisIsSeen)
           }
         }
         rows.values[axis][corner >> 1][corner & 1u] += moved;
-        EXPECT_EQ(itk::MedialVoxelSpreadCells(rows.Pointers(), 1, 1), std::abs(moved) > 1 ? 1u : 0u);
+        EXPECT_EQ(itk::MedialVoxelNontrivialCells(rows.Pointers(), 1, 1), std::abs(moved) > 1 ? 1u : 0u);
       }
     }
   }
@@ -145,7 +145,7 @@ TEST(MedialVoxelPairChoice, CornersWithoutAPointAreNeverNear)
     {
       component[corner >> 1][corner & 1u] = itk::MedialVoxelNoDisplacement;
     }
-    EXPECT_EQ(itk::MedialVoxelSpreadCells(rows.Pointers(), 1, 1), 1u);
+    EXPECT_EQ(itk::MedialVoxelNontrivialCells(rows.Pointers(), 1, 1), 1u);
     EXPECT_EQ(WidestOf(rows), -1);
   }
 }

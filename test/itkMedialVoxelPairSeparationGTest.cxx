@@ -114,7 +114,7 @@ TEST(MedialVoxelBlockSeparation, LowerBoundsAreNeverAboveTheDistances)
     auto                                       queries = RandomQueries(scene, 12, distances);
     // Those that nobody asks for stay as they are.
     queries.front().epsilon = 0.0;
-    blocks.Narrow(scene.bits, progress, workspace, queries);
+    blocks.Tighten(scene.bits, progress, workspace, queries);
     EXPECT_EQ(queries.front().bounds.shortest, 0.0);
     for (const auto & query : queries)
     {
@@ -144,7 +144,7 @@ TEST(MedialVoxelBlockSeparation, SidesOfAWallAreSeparated)
   }
   itk::MedialVoxelBlockSeparation::Workspace workspace;
   const itk::MedialVoxelBlockSeparation      blocks(GridOf(scene.volume));
-  blocks.Narrow(scene.bits, itk::MedialVoxelNoProgress(), workspace, queries);
+  blocks.Tighten(scene.bits, itk::MedialVoxelNoProgress(), workspace, queries);
   EXPECT_TRUE(std::all_of(queries.begin(), queries.end(), [](const auto & query) { return query.bounds.Reach(8.0); }));
   // Nothing is known of what lies beyond the points that a box holds.
   const auto few = SiteBits(scene.sites, MakeBox({ { 0, 0, 0 } }, { { 40, 50, 20 } }));
@@ -152,7 +152,7 @@ TEST(MedialVoxelBlockSeparation, SidesOfAWallAreSeparated)
   {
     query.bounds = {};
   }
-  blocks.Narrow(few, itk::MedialVoxelNoProgress(), workspace, queries);
+  blocks.Tighten(few, itk::MedialVoxelNoProgress(), workspace, queries);
   for (const auto & query : queries)
   {
     ASSERT_TRUE(query.bounds.shortest == 0.0 || query.a[0] < 32);

@@ -155,7 +155,7 @@ TEST(MedialVoxelSeparateObjects, TheSearchForThemCanBeAborted)
   filter->Update();
   const auto medial = filter->GetNumberOfMedialCellsWithLabel(3);
   const auto labels = PixelsOf(filter->GetOutput());
-  // The first sign of life comes while the objects are looked for.
+  // The first progress event comes while the objects are looked for.
   const auto tag =
     filter->AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) { filter->AbortGenerateDataOn(); });
   filter->Modified();

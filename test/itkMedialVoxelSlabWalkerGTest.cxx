@@ -263,7 +263,7 @@ TEST(MedialVoxelSlabWalker, ThickPartsAreCutIntoWideTiles)
   {
     auto settings = SettingsOf(0, 0, { { 80, 80, 80 } });
     settings.memoryLimit = limit;
-    settings.workerBytesPerVoxel = 12;
+    settings.bytesPerVoxel = 12;
     DemandingClient       client(volume, 70);
     MedialVoxelSlabWalker engine(GridOf(volume), settings);
     client.m_Engine = &engine;

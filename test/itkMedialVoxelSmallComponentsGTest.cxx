@@ -214,7 +214,7 @@ TEST(MedialVoxelSmallComponents, WindowsOfAnyKindHoldTheSameBits)
         auto sites = RandomBox(size, generator);
         for (int growth = 0; growth < 3; ++growth)
         {
-          const std::uint64_t allowed = window.GetBytesToMove(sites, sites);
+          const std::uint64_t allowed = window.GetBytesToReframe(sites, sites);
           window.MoveTo(sites, sites, source);
           ASSERT_EQ(Differences(window, sites, volume, expected), 0u) << "seed " << seed << ", at most " << most;
           EXPECT_GE(allowed, window.GetBytes(sites));
@@ -295,11 +295,11 @@ TEST(MedialVoxelSmallComponents, ProgressMayStopTheChange)
       return true;
     }
   };
-  const Volume                 volume = VolumeWithPores({ { 20, 20, 20 } }, UnitSpacing, 6, 850);
-  VolumeSource                 source(volume);
-  itk::MedialVoxelMovingWindow window(GridOf(volume), Background, false, false, 6);
-  const auto                   sites = MakeBox({ { 5, 5, 5 } }, { { 9, 9, 9 } });
-  StoppedProgress              progress;
-  itk::MedialVoxelPollScope    scope(progress);
+  const Volume                  volume = VolumeWithPores({ { 20, 20, 20 } }, UnitSpacing, 6, 850);
+  VolumeSource                  source(volume);
+  itk::MedialVoxelMovingWindow  window(GridOf(volume), Background, false, false, 6);
+  const auto                    sites = MakeBox({ { 5, 5, 5 } }, { { 9, 9, 9 } });
+  StoppedProgress               progress;
+  itk::MedialVoxelProgressScope scope(progress);
   EXPECT_THROW(window.MoveTo(sites, sites, source), itk::MedialVoxelAborted);
 }

@@ -338,7 +338,7 @@ TEST(MedialVoxelThickness, MemoryChangesNoMeasure)
       ASSERT_EQ(measured.thickness, expected.thickness);
       ASSERT_EQ(measured.area, expected.area);
       ASSERT_EQ(measured.axis, expected.axis);
-      ASSERT_EQ(measured.isRim, expected.isRim);
+      ASSERT_EQ(measured.isUnpaired, expected.isUnpaired);
       if (wall.GetSides() == wall.GetNearerSides() && !wall.IsThin())
       {
         ASSERT_EQ(thickness.MeasureThickness(object, wall, memory), expected.thickness);

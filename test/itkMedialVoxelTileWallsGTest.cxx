@@ -105,7 +105,7 @@ public:
       EXPECT_EQ(walls[i].thickness, expected.thickness);
       EXPECT_EQ(walls[i].area, expected.area);
       EXPECT_EQ(walls[i].axis, expected.axis);
-      EXPECT_EQ(walls[i].isRim, expected.isRim);
+      EXPECT_EQ(walls[i].isUnpaired, expected.isUnpaired);
     }
     return walls.size();
   }

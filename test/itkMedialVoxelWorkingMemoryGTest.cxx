@@ -107,7 +107,7 @@ TEST(MedialVoxelWorkingMemory, EdgesThatAreDecidedTogetherAreCounted)
   const auto                 bytesFor = [&grid](const double thickness) {
     itk::MedialVoxelParameters parameters;
     parameters.epsilon = itk::MedialVoxelParameters::EpsilonFromThickness(thickness);
-    return itk::MedialVoxelSurfaceObserver::GetWorkerBytesPerVoxel(grid, parameters);
+    return itk::MedialVoxelSurfaceObserver::GetBytesPerVoxel(grid, parameters);
   };
   EXPECT_GE(bytesFor(6.0), bytesFor(3.0) + sizeof(itk::MedialVoxelSeparationQuery) / 8);
 }

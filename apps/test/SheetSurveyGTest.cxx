@@ -52,7 +52,7 @@ DrawTile(std::mt19937_64 & random, std::int64_t firstX)
         {
           itk::MedialVoxelWall wall;
           wall.thickness = static_cast<float>(random() % 1000) / 16.0F;
-          wall.isRim = random() % 4 == 0;
+          wall.isUnpaired = random() % 4 == 0;
           wall.isUnresolved = random() % 8 == 0;
           tile.walls.push_back(wall);
         }
@@ -81,7 +81,7 @@ AddCells(const RandomTile & tile, SheetPoints & points)
       std::copy(cell.begin(), cell.end(), sums.index.begin());
       if ((row.measured >> bit & 1) != 0)
       {
-        const bool isMeasured = !wall->isRim && !wall->isUnresolved;
+        const bool isMeasured = !wall->isUnpaired && !wall->isUnresolved;
         sums.thickness = isMeasured ? static_cast<std::uint64_t>(std::llround(wall->thickness / LengthUnit)) : 0;
         sums.measured = isMeasured ? 1 : 0;
         sums.unpaired = isMeasured ? 0 : 1;

@@ -95,7 +95,7 @@ public:
     return m_Grid;
   }
 
-  const itk::MedialVoxelExtraction &
+  const itk::MedialVoxelSheetExtraction &
   GetExtraction() const
   {
     return m_Extraction;
@@ -127,9 +127,9 @@ public:
   }
 
 private:
-  std::string                m_Name;
-  itk::MedialVoxelGrid       m_Grid;
-  itk::MedialVoxelExtraction m_Extraction;
+  std::string                     m_Name;
+  itk::MedialVoxelGrid            m_Grid;
+  itk::MedialVoxelSheetExtraction m_Extraction;
 };
 
 /** Threads and results of the engine. */

@@ -130,12 +130,6 @@ ArrayEngine::UpdateProgress(const float fraction)
 }
 
 bool
-ArrayEngine::IsAbortRequested() const
-{
-  return this->IsAborted();
-}
-
-bool
 ArrayEngine::IsAborted() const
 {
   return m_Call.control.stop.load(std::memory_order_relaxed) != 0;

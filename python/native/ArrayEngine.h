@@ -19,8 +19,8 @@
 namespace medialvoxel
 {
 
-/** Gray values that walls are measured on; without, it is the object. */
-using GrayRange = itk::MedialVoxelExtraction::GrayRange;
+/** Gray values that walls are measured on; unset: the object. */
+using GrayRange = itk::MedialVoxelSheetExtraction::GrayRange;
 
 /** How walls are measured, and the words of the report for it. */
 struct ArrayMeasure
@@ -33,13 +33,13 @@ struct ArrayMeasure
 };
 
 /** \class ArrayEngine
- * \brief Runs tasks of the library over all of an array, and can be stopped by its caller. */
+ * \brief Runs tasks of the library over all of an array; its caller can stop it. */
 class ArrayEngine
   : private itk::MedialVoxelEngineClient
   , private itk::MedialVoxelProgress
 {
 public:
-  /** Stores what was found in a tile. Called by several threads at a time. */
+  /** Stores the results of a tile. Called by several threads at a time. */
   using TileTaker = std::function<void(const itk::MedialVoxelTileResult & tile)>;
 
   /** \param call stays as long as this */
@@ -66,8 +66,8 @@ public:
   auto
   ReadBeforeRun(TFunction && function)
   {
-    const itk::MedialVoxelPollScope scope(*this);
-    return function([](double) { itk::MedialVoxelPoll(); });
+    const itk::MedialVoxelProgressScope scope(*this);
+    return function([](double) { itk::MedialVoxelCheckAbort(); });
   }
 
   /** How the walls of a prepared object are measured.
@@ -118,9 +118,7 @@ private:
   void
   UpdateProgress(float fraction) override;
 
-  bool
-  IsAbortRequested() const override;
-
+  /** For both bases. */
   bool
   IsAborted() const override;
 

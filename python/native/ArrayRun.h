@@ -35,7 +35,7 @@ struct ArrayMesh
 };
 
 /** Each returns numbers of the run.
- * \throw JobError, itk::ExceptionObject and what the engine throws */
+ * \throw JobError, itk::ExceptionObject and exceptions of the engine */
 nlohmann::json
 ExtractArray(const ArrayCall & call, const ExtractOptions & options);
 nlohmann::json
@@ -45,7 +45,7 @@ MeasureDistances(const ArrayCall & call, const DistanceOptions & options);
 nlohmann::json
 MeasureLocalThickness(const ArrayCall & call, const PartOptions & options);
 
-/** Parses the arguments as the program does, checks them and calls what they name; surface stands for its local
+/** Parses the arguments as the program does, checks them and calls the named function; surface stands for its local
  * thickness. */
 nlohmann::json
 RunArguments(const ArrayCall & call, std::vector<std::string> arguments, ArrayMesh & mesh);

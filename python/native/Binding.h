@@ -26,14 +26,14 @@ struct MedialVoxelArray
   double       spacing[3];
 };
 
-/** What the calling thread and the one that watches it tell each other. */
+/** Shared by the calling thread and the one that watches it. */
 struct MedialVoxelControl
 {
   std::atomic<double>       done; ///< share of the work, from 0 to 1
   std::atomic<std::int32_t> stop; ///< not 0: give up as soon as possible
 };
 
-/** Where results go, a value or a vector (z, y, x) for each voxel; null: not wanted. */
+/** Targets of results, a value or a vector (z, y, x) for each voxel; null: not wanted. */
 struct MedialVoxelOutputs
 {
   std::uint8_t * labels;
@@ -67,7 +67,7 @@ struct MedialVoxelMesh
 
 struct MedialVoxelResult;
 
-/** \return what medialvoxel_release() frees; null without memory for it
+/** \return memory for medialvoxel_release(); null when there is none
  * \param arguments of the program, from the command on, in UTF-8; names of outputs only say what is wanted */
 MEDIALVOXEL_BINDING MedialVoxelResult *
 medialvoxel_run(const MedialVoxelArray *   array,

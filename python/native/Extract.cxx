@@ -26,10 +26,10 @@ CheckFits(const ArrayCall & call, const ExtractOptions & options)
   }
 }
 
-itk::MedialVoxelExtraction
+itk::MedialVoxelSheetExtraction
 MakeExtraction(const ArrayEngine & engine, const ArrayCall & call, const ExtractOptions & options)
 {
-  itk::MedialVoxelExtraction extraction;
+  itk::MedialVoxelSheetExtraction extraction;
   extraction.parameters = GetParameters(options, engine.GetGrid());
   extraction.measuresThickness = call.outputs.thickness != nullptr || call.outputs.uncertainty != nullptr;
   if (call.outputs.vectors != nullptr)
@@ -65,9 +65,9 @@ ExtractOne(const ArrayCall & call, const ExtractOptions & options)
   ArrayEngine                 engine(call, options);
   itk::MedialVoxelObjectInput object = engine.MakeObject(GetSmoothing(options));
   engine.ReadBeforeRun([&](const auto & observer) { object.Prepare(observer); });
-  itk::MedialVoxelExtraction extraction = MakeExtraction(engine, call, options);
-  const bool                 measures = extraction.measuresThickness;
-  const ArrayMeasure         measure =
+  itk::MedialVoxelSheetExtraction extraction = MakeExtraction(engine, call, options);
+  const bool                      measures = extraction.measuresThickness;
+  const ArrayMeasure              measure =
     engine.FindMeasure(object,
                        measures && MayMeasureOnGrayValues(options, call.header),
                        measures ? DescribeMeasureOnObject(options, call.header) : "no thickness is asked for",
@@ -155,10 +155,10 @@ Write(const itk::MedialVoxelObjectUnion & united, const itk::MedialVoxelLabelTab
 nlohmann::json
 ExtractObjects(const ArrayCall & call, const ExtractOptions & options)
 {
-  ArrayEngine                      engine(call, options);
-  const itk::MedialVoxelExtraction extraction = MakeExtraction(engine, call, options);
-  const itk::MedialVoxelBox        image = engine.GetGrid().GetVoxelBox();
-  itk::MedialVoxelLabelInput       map(engine.GetSource(),
+  ArrayEngine                           engine(call, options);
+  const itk::MedialVoxelSheetExtraction extraction = MakeExtraction(engine, call, options);
+  const itk::MedialVoxelBox             image = engine.GetGrid().GetVoxelBox();
+  itk::MedialVoxelLabelInput            map(engine.GetSource(),
                                  image,
                                  options.labels->all ? std::vector<std::int64_t>{} : options.labels->values,
                                  extraction.parameters.maximumPoreSize);

@@ -50,7 +50,7 @@ MeshArray(const ArrayCall & call, const ExtractOptions & given, ArrayMesh & mesh
   const ArrayMeasure measure =
     engine.FindMeasure(object, MayMeasureOnGrayValues(options, call.header), "", options.materials);
   SheetMesh surface(options, geometry, engine.GetGrid(), geometry.GetNumberOfVoxels() * SheetMesh::MostPending);
-  itk::MedialVoxelExtraction extraction;
+  itk::MedialVoxelSheetExtraction extraction;
   extraction.parameters = GetParameters(options, engine.GetGrid());
   extraction.grayRange = measure.range;
   extraction.AddObserver(surface.GetObserver());

@@ -23,7 +23,7 @@ namespace medialvoxel
 namespace
 {
 
-/** Sets the threshold of Otsu where it is asked for, and refuses labels that the values cannot have. */
+/** Sets the threshold of Otsu on request, and refuses labels that the values cannot have. */
 void
 SetObject(const ArrayCall & call, JobOptions & options)
 {
@@ -104,7 +104,7 @@ FindRow(unsigned int command, const std::string & name, std::size_t & arguments)
   Fail(ExitStatus::Usage, "the command has no option ", name);
 }
 
-/** Sets what words say, one for each argument or option; its value stands behind an equals sign.
+/** Sets options from words, one for each argument or option; its value stands behind an equals sign.
  * \throw JobError Usage for wrong values, and for options without an effect */
 void
 SetOptions(unsigned int command, const std::vector<std::string> & words, const OptionTarget & target)

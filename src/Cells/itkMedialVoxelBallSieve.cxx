@@ -52,10 +52,10 @@ public:
   /** Give each block the best value of the blocks around it and its own. */
   template <typename TBest>
   void
-  Spread(std::vector<double> & values, std::vector<double> & copy, TBest && best) const
+  Dilate(std::vector<double> & values, std::vector<double> & copy, TBest && best) const
   {
-    MedialVoxelPollCounter poll;
-    std::size_t            stride = 1;
+    MedialVoxelAbortChecker checker;
+    std::size_t             stride = 1;
     for (const std::int64_t number : m_Number)
     {
       copy.resize(values.size());
@@ -65,7 +65,7 @@ public:
       {
         for (std::size_t i = 0; i < count; ++i)
         {
-          poll.Count(static_cast<std::uint32_t>(stride));
+          checker.Count(static_cast<std::uint32_t>(stride));
           const double * const own = values.data() + line + i * stride;
           const double * const before = i > 0 ? own - stride : own;
           const double * const after = i + 1 < count ? own + stride : own;
@@ -112,7 +112,7 @@ KeepSmallerCells(const MedialVoxelBits &     cells,
   auto                   radius = radii.begin();
   for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
   {
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
     for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
     {
       MedialVoxelBits::WordType * const row = smallerCells.GetRow(y, z);
@@ -195,7 +195,7 @@ MedialVoxelBallSieve::Survey(const MedialVoxelBox &                        box,
   }
   for (std::size_t reach = mostReach; reach > 0; --reach)
   {
-    blocks.Spread(layers[reach], workspace.spread, Larger);
+    blocks.Dilate(layers[reach], workspace.copy, Larger);
     std::transform(
       layers[reach].begin(), layers[reach].end(), layers[reach - 1].begin(), layers[reach - 1].begin(), Larger);
   }
@@ -230,7 +230,7 @@ MedialVoxelBallSieve::Sieve(const MedialVoxelRankedBits &                 cells,
     {
       layers[reach] = layers[reach - 1];
     }
-    blocks.Spread(layers[reach], workspace.spread, Smaller);
+    blocks.Dilate(layers[reach], workspace.copy, Smaller);
   }
 
   const auto raisesNone = [&](const MedialVoxelInscribedBall & ball) {

@@ -26,10 +26,10 @@ struct MedialVoxelInscribedBall
 };
 
 /** \class MedialVoxelBallSieve
- * \brief Leaves out most balls that raise the radius of no cell, and the cells that no ball raises.
+ * \brief Removes most balls that raise the radius of no cell, and cells that no ball raises.
  *
- * Cells are looked at in blocks: in walls of one thickness no ball around is larger than those of the cells themselves,
- * and most balls are smaller than those of all cells that they reach.
+ * It works by blocks of cells. In walls of one thickness no other ball is larger than a cell's own ball, and most balls
+ * are smaller than the own balls of all cells that they reach.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelBallSieve
@@ -43,7 +43,7 @@ public:
   {
     MedialVoxelBox                   box;    // of the blocks
     std::vector<std::vector<double>> layers; // of values of blocks, by the blocks that balls reach; 0: of the survey
-    std::vector<double>              spread;
+    std::vector<double>              copy;
   };
 
   explicit MedialVoxelBallSieve(const MedialVoxelGrid & grid);
@@ -56,12 +56,12 @@ public:
   static double
   GetLargest(const MedialVoxelIndex & cell, const Workspace & workspace);
 
-  /** Keeps what may matter; balls and cells of \a open stay in their order.
+  /** Keeps balls and cells that may matter, in their order.
    *
    * \param cells  bits by index of the cell, ranked, in the box of the survey
    * \param radii  of the cells, in metric units, in the order x, y, z of the bits that are set
    * \param all    the balls of the survey
-   * \param balls  replaced by those that may be larger than the radius of a cell which they cover
+   * \param balls  replaced by balls that may be larger than the radius of a cell which they cover
    * \param open   replaced by the cells that a larger ball may cover */
   void
   Sieve(const MedialVoxelRankedBits &                 cells,

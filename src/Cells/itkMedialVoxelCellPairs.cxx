@@ -178,13 +178,13 @@ MedialVoxelCellPairs::FindWidest(const WordType asked, MedialVoxelCells & cells)
 }
 
 WordType
-MedialVoxelCellPairs::Spread(MedialVoxelCells & cells) const
+MedialVoxelCellPairs::FindNontrivial(MedialVoxelCells & cells) const
 {
-  const WordType spread = m_HasCornerRows && m_Epsilon > m_Grid.GetLongestEdge()
-                            ? MedialVoxelSpreadCells(cells.corners, cells.candidates, cells.number)
-                            : cells.candidates;
-  this->FindWidest(spread, cells);
-  return spread;
+  const WordType nontrivial = m_HasCornerRows && m_Epsilon > m_Grid.GetLongestEdge()
+                                ? MedialVoxelNontrivialCells(cells.corners, cells.candidates, cells.number)
+                                : cells.candidates;
+  this->FindWidest(nontrivial, cells);
+  return nontrivial;
 }
 
 /** Offset of the features at a corner of the cell whose lower corner has \a offset. */
@@ -250,7 +250,7 @@ MedialVoxelCellPairs::Choose(const MedialVoxelFeatures & features,
   const unsigned int oppositeNumber = m_Cell.GetOppositeCorner(widest.number);
   const std::size_t  first = this->OffsetOf(features, offset, widest.number);
   const std::size_t  second = this->OffsetOf(features, offset, oppositeNumber);
-  // One by one: as arrays they would be written to memory in parts and read at once, which stalls.
+  // One by one: arrays would be written to memory in parts and read at once, which stalls.
   const std::int64_t              ax = features.dx[first];
   const std::int64_t              ay = features.dy[first];
   const std::int64_t              az = features.dz[first];

@@ -88,8 +88,8 @@ public:
     return true;
   }
 
-  /** Cells of a row from \a first on, without their diagonals; the displacements of those of \a asked are fetched to
-   * the cache meanwhile. */
+  /** Cells of a row from \a first on, without their diagonals; prefetches the displacements of the cells in \a
+   * asked. */
   MedialVoxelCells
   CellsFrom(const MedialVoxelFeatures & features,
             const MedialVoxelIndex &    first,
@@ -106,12 +106,12 @@ public:
             int                               x,
             std::array<MedialVoxelIndex, 8> & points) const;
 
-  /** The candidates that may have a diagonal that is not trivial; finds the widest diagonals of these. */
+  /** The candidates that may have a nontrivial diagonal; finds their widest diagonals. */
   MedialVoxelBits::WordType
-  Spread(MedialVoxelCells & cells) const;
+  FindNontrivial(MedialVoxelCells & cells) const;
 
-  /** The diagonal of the cell \a x after the first, one of those of Spread(); false when its pair is trivial or there
-   * is none. */
+  /** The diagonal of the cell \a x after the first, which FindNontrivial() found; false when its pair is trivial or
+   * there is none. */
   bool
   Choose(const MedialVoxelFeatures & features,
          const MedialVoxelCells &    cells,

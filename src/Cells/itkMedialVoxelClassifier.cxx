@@ -94,7 +94,7 @@ MedialVoxelClassifier::Classify(const MedialVoxelWindow &   window,
   MedialVoxelTileLabels      tileLabels(tile, labels, counts, workspace.keepsRows ? &workspace.rows : nullptr);
   if (!m_Joint || workspace.keepsRows)
   {
-    // Observers, who get the rows, go on with searches around the same tile.
+    // Observers get the rows and continue searches around the same tile.
     m_Decision.Begin(*window.sites, tile, workspace.geodesic);
   }
   const MedialVoxelBox missing = m_Joint ? m_Joint->Classify(input, workspace.joint, tileLabels)
@@ -108,10 +108,10 @@ MedialVoxelClassifier::ClassifyEach(const MedialVoxelTileInput &         input,
                                     MedialVoxelPairDecision::Workspace & workspace,
                                     MedialVoxelTileLabels &              labels) const
 {
-  MedialVoxelBox         missing;
-  MedialVoxelPollCounter poll;
+  MedialVoxelBox          missing;
+  MedialVoxelAbortChecker checker;
   m_Pairs.Visit(input.corners, input.features, labels.GetTile(), [&](MedialVoxelCells & cells) {
-    poll.Count(static_cast<std::uint32_t>(cells.number));
+    checker.Count(static_cast<std::uint32_t>(cells.number));
     return this->ClassifyCells(input, cells, workspace, labels, missing);
   });
   return missing;
@@ -125,11 +125,11 @@ MedialVoxelClassifier::ClassifyCells(const MedialVoxelTileInput &         input,
                                      MedialVoxelTileLabels &              labels,
                                      MedialVoxelBox &                     missing) const
 {
-  const WordType spread = m_Pairs.Spread(cells);
-  labels.AddCandidates(cells.first, cells.candidates, spread);
+  const WordType nontrivial = m_Pairs.FindNontrivial(cells);
+  labels.AddCandidates(cells.first, cells.candidates, nontrivial);
   const std::size_t          offset = labels.OffsetOf(cells.first);
   MedialVoxelDiagonalNumbers diagonals;
-  for (WordType rest = spread; rest != 0; rest &= rest - 1)
+  for (WordType rest = nontrivial; rest != 0; rest &= rest - 1)
   {
     const int           x = MedialVoxelLowestBit(rest);
     MedialVoxelDiagonal widest;
@@ -182,13 +182,13 @@ MedialVoxelClassifier::GetWallPoints(const MedialVoxelFeatures & features,
 }
 
 std::uint64_t
-MedialVoxelClassifier::GetWorkspaceBytes(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
+MedialVoxelClassifier::GetBytes(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
 {
-  return MedialVoxelBoundedGeodesic::GetWorkspaceBytes(grid, parameters.GetLargestEpsilon());
+  return MedialVoxelBoundedGeodesic::GetBytes(grid, parameters.GetLargestEpsilon());
 }
 
 std::uint64_t
-MedialVoxelClassifier::GetWorkspaceBytesPerVoxel(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
+MedialVoxelClassifier::GetBytesPerVoxel(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
 {
   const bool isAutomatic = parameters.mode == MedialVoxelThicknessMode::Automatic;
   return (DecidesTogether(grid, parameters) ? MedialVoxelJointClassifier::BytesPerVoxel : 0) +

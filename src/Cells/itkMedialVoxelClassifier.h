@@ -26,7 +26,7 @@ namespace itk
  *
  * Each candidate cell is decided by the first phase that can (Michikawa and Suzuki, Sec. 3.3): trivial pairs, the bound
  * of the parameters, the geodesic search. With an automatic thickness each cell has a threshold of its own, see
- * MedialVoxelLocalThreshold. Those and long thresholds are decided together, others one after the other.
+ * MedialVoxelLocalThreshold. Cells with own or long thresholds are decided together, others one after the other.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelClassifier
@@ -59,8 +59,7 @@ public:
   GetVoxelBox(const MedialVoxelBox & tile) const;
 
   /** The window with the voxels of GetVoxelBox() that need a displacement, which the workspace keeps until the next
-   * tile: with an automatic thickness, those around \a tile matter only where balls reach it. Other windows ask for
-   * all.
+   * tile. With an automatic thickness, voxels around \a tile matter only where balls reach it. Other windows need all.
    *
    * \param window       object bits of GetVoxelBox()
    * \param looksAround  the cells beside \a tile need their thresholds, too */
@@ -70,7 +69,7 @@ public:
             bool                      looksAround,
             Workspace &               workspace) const;
 
-  /** Voxels that displacements are found for: those of GetVoxelBox(), or as many as a window of FindAsked() needs. */
+  /** Voxels that get displacements: GetVoxelBox(), or the part of it that a window of FindAsked() needs. */
   MedialVoxelBox
   GetFeatureBox(const MedialVoxelWindow & window, const MedialVoxelBox & tile, const Workspace & workspace) const
   {
@@ -110,8 +109,8 @@ public:
                 const MedialVoxelIndex &    cell,
                 MedialVoxelWallPoints &     wall) const;
 
-  /** Cells of a row from \a first on, for GetWallPoints() of those of \a asked, whose bit 0 is the first one. Their
-   * displacements are on the way to the cache. */
+  /** Cells of a row from \a first on, for GetWallPoints() of the cells in \a asked (bit 0 is the first one), whose
+   * displacements it prefetches. */
   MedialVoxelCells
   FindCells(const MedialVoxelFeatures &     features,
             const MedialVoxelIndex &        first,
@@ -132,7 +131,7 @@ public:
   static bool
   DecidesTogether(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
 
-  /** What decided the last tile; of a classifier that decides together. */
+  /** The decisions of the last tile, of a classifier that decides together. */
   const MedialVoxelJointClassifier &
   GetJoint() const
   {
@@ -148,16 +147,16 @@ public:
     return m_Joint->GetThreshold();
   }
 
-  /** Bytes of a workspace, beside those of each voxel of a tile and of the margin around it. */
+  /** Bytes of a workspace, beside GetBytesPerVoxel(). */
   static std::uint64_t
-  GetWorkspaceBytes(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
+  GetBytes(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
 
   /** Bytes of a workspace for each voxel of a tile and of the margin around it. */
   static std::uint64_t
-  GetWorkspaceBytesPerVoxel(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
+  GetBytesPerVoxel(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
 
 private:
-  /** The cells that get a threshold: observers may look at those beside a tile, too. */
+  /** The cells that get a threshold; observers may look at cells beside a tile, too. */
   MedialVoxelBox
   GetCells(const MedialVoxelBox & tile, bool looksAround) const;
 
@@ -185,7 +184,7 @@ private:
   MedialVoxelCellPairs                      m_Pairs;
   MedialVoxelReachingVoxels                 m_Reaching;
   MedialVoxelPairDecision                   m_Decision;
-  std::optional<MedialVoxelJointClassifier> m_Joint; // for what is decided together
+  std::optional<MedialVoxelJointClassifier> m_Joint; // for cells that are decided together
 };
 
 } // end namespace itk

@@ -26,7 +26,7 @@ MedialVoxelInscribedBalls::FindShape(const double squaredRadius, Shape & shape) 
   shape.widths.clear();
   for (std::int64_t dz = -margin[2]; dz <= margin[2]; ++dz)
   {
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
     std::int64_t width = -1;
     for (std::int64_t dy = -margin[1]; dy <= margin[1]; ++dy)
     {
@@ -63,7 +63,7 @@ public:
     m_Rows.assign(static_cast<std::size_t>(m_Box.Extent(2) * m_Parts * m_Groups), 0);
     for (std::int64_t z = m_Box.lower[2]; z < m_Box.upper[2]; ++z)
     {
-      MedialVoxelPoll();
+      MedialVoxelCheckAbort();
       for (std::int64_t y = m_Box.lower[1]; y < m_Box.upper[1]; ++y)
       {
         for (std::int64_t part = m_FirstPart; part < m_FirstPart + m_Parts; ++part)
@@ -87,7 +87,7 @@ public:
     const std::int64_t upperZ = std::min(ball.center[2] + shape.margin[2] + 1, m_Box.upper[2]);
     for (std::int64_t z = lowerZ; z < upperZ; ++z)
     {
-      m_Poll.Count(StepsOfSlice);
+      m_Checker.Count(StepsOfSlice);
       this->TakeSlice(ball, shape, z);
     }
   }
@@ -195,7 +195,7 @@ private:
   std::int64_t                  m_FirstPart;
   std::int64_t                  m_Parts;
   std::int64_t                  m_Groups;
-  MedialVoxelPollCounter        m_Poll;
+  MedialVoxelAbortChecker       m_Checker;
 };
 
 void

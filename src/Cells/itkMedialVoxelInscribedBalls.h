@@ -19,8 +19,8 @@ namespace itk
  * \brief Finds the largest of many balls that covers each cell.
  *
  * A ball covers the cells whose centers are not farther from its own than the radius, by squared metric lengths:
- * MedialVoxelGrid::SquaredMetricLength() <= radius * radius. What is found is a maximum, so that it does not depend on
- * an order of the balls.
+ * MedialVoxelGrid::SquaredMetricLength() <= radius * radius. The result is a maximum, so it does not depend on the
+ * order of the balls.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelInscribedBalls
@@ -54,9 +54,9 @@ public:
     return MedialVoxelBallSieve::GetLargest(cell, workspace.sieve);
   }
 
-  /** Raise the radius of each cell of \a cells to that of the largest ball that covers it, after a survey.
+  /** Raise the radius of each cell to the radius of the largest ball that covers it, after a survey.
    *
-   * \param balls  those of the survey
+   * \param balls  balls of the survey
    * \param cells  bits by index of the cell, ranked, in the box of the survey
    * \param radii  of the cells, in metric units, in the order x, y, z of the bits that are set; 0 where a cell has none
    */

@@ -21,7 +21,7 @@ namespace
 constexpr double ThicknessOfFlood = 5.0;
 
 /** Steps along each axis between the points of most cells beside a sheet. */
-constexpr std::int64_t ShortWay = 2;
+constexpr std::int64_t ShortSteps = 2;
 
 /** Cells whose own ball would set less than this share of their threshold are probably in a branch of a wall. */
 constexpr double LargestBranch = 0.85;
@@ -69,7 +69,7 @@ MedialVoxelJointClassifier::Classify(const MedialVoxelTileInput & input,
   this->BoundCells(input, workspace, labels);
   m_Threshold.RaiseRadii(workspace.m_Threshold);
   this->LabelAtOnce(sites, workspace, labels);
-  this->LeaveOutBranches(sites, workspace, labels);
+  this->LabelBranches(sites, workspace, labels);
   const MedialVoxelBox missing =
     m_Separation.FindSeparated(sites, input.progress, workspace.m_Separation, workspace.m_Queries);
   if (missing.IsEmpty())
@@ -82,13 +82,13 @@ MedialVoxelJointClassifier::Classify(const MedialVoxelTileInput & input,
 /** Decide a query when the pairs of neighbors suffice. */
 bool
 MedialVoxelJointClassifier::DecideByNeighbors(const MedialVoxelBits & sites,
-                                              const Way               way,
+                                              const NeighborReach     reach,
                                               const Query &           query,
                                               Workspace &             workspace,
                                               MedialVoxelTileLabels & labels) const
 {
   Cell & cell = workspace.m_Cells[query.cell];
-  this->FollowNeighbors(workspace, sites, way, query.epsilon, cell);
+  this->FollowNeighbors(workspace, sites, reach, query.epsilon, cell);
   const bool reaches = cell.bounds.Reach(query.epsilon);
   if (!reaches && !cell.bounds.FallShortOf(query.epsilon))
   {
@@ -98,7 +98,7 @@ MedialVoxelJointClassifier::DecideByNeighbors(const MedialVoxelBits & sites,
   return true;
 }
 
-/** From the edges of walls inwards, as each cell may follow the one before. */
+/** From the edges of walls inwards, because each cell may follow the one before. */
 void
 MedialVoxelJointClassifier::SortInwards(const Workspace &   workspace,
                                         const QueryIterator first,
@@ -108,11 +108,11 @@ MedialVoxelJointClassifier::SortInwards(const Workspace &   workspace,
   std::sort(first, last, [&](const Query & i, const Query & j) { return cells[i.cell].radius < cells[j.cell].radius; });
 }
 
-/** Decide the cells of branches that follow others; branches are in walls that are thicker than they are. */
+/** Decide the cells of branches that follow others; branches lie in walls that are thicker than the branch. */
 void
-MedialVoxelJointClassifier::LeaveOutBranches(const MedialVoxelBits & sites,
-                                             Workspace &             workspace,
-                                             MedialVoxelTileLabels & labels) const
+MedialVoxelJointClassifier::LabelBranches(const MedialVoxelBits & sites,
+                                          Workspace &             workspace,
+                                          MedialVoxelTileLabels & labels) const
 {
   auto &     queries = workspace.m_Queries;
   const auto isInSheet = [&](const Query & query) {
@@ -120,10 +120,10 @@ MedialVoxelJointClassifier::LeaveOutBranches(const MedialVoxelBits & sites,
   };
   const auto branches = std::partition(queries.begin(), queries.end(), isInSheet);
   SortInwards(workspace, branches, queries.end());
-  MedialVoxelPollCounter poll;
-  const auto             isDecided = [&](const Query & query) {
-    poll.Count();
-    return this->DecideByNeighbors(sites, Way::Edges, query, workspace, labels);
+  MedialVoxelAbortChecker checker;
+  const auto              isDecided = [&](const Query & query) {
+    checker.Count();
+    return this->DecideByNeighbors(sites, NeighborReach::OneEdge, query, workspace, labels);
   };
   queries.erase(std::remove_if(branches, queries.end(), isDecided), queries.end());
 }
@@ -140,37 +140,37 @@ MedialVoxelJointClassifier::Search(const MedialVoxelTileInput & input,
     std::partition(queries.begin(), queries.end(), [](const Query & query) { return query.isSeparated; });
   std::for_each(queries.begin(), joined, [&](const Query & query) {
     Cell & cell = workspace.m_Cells[query.cell];
-    cell.bounds.Narrow(query.bounds);
+    cell.bounds.Tighten(query.bounds);
     labels.Decide(cell.label, MedialVoxelLabel::MedialByGeodesic);
   });
   SortInwards(workspace, joined, queries.end());
-  MedialVoxelPollCounter poll;
+  MedialVoxelAbortChecker checker;
   for (auto query = joined; query != queries.end() && !input.progress.IsAborted(); ++query)
   {
-    poll.Count();
-    if (!this->DecideByNeighbors(sites, Way::Edges, *query, workspace, labels) &&
-        !this->DecideByNeighbors(sites, Way::TwoEdges, *query, workspace, labels))
+    checker.Count();
+    if (!this->DecideByNeighbors(sites, NeighborReach::OneEdge, *query, workspace, labels) &&
+        !this->DecideByNeighbors(sites, NeighborReach::TwoEdges, *query, workspace, labels))
     {
       Cell &     cell = workspace.m_Cells[query->cell];
       const bool reaches = m_Separation.Reaches(sites, *query, workspace.m_Separation);
-      cell.bounds.Narrow(query->bounds);
+      cell.bounds.Tighten(query->bounds);
       labels.Decide(cell.label, reaches ? MedialVoxelLabel::MedialByGeodesic : MedialVoxelLabel::NonMedial);
     }
   }
 }
 
-/** Label what needs no search, and make queries of the rest. */
+/** Label cells that need no search, and make queries of the rest. */
 void
 MedialVoxelJointClassifier::LabelAtOnce(const MedialVoxelBits & sites,
                                         Workspace &             workspace,
                                         MedialVoxelTileLabels & labels) const
 {
   workspace.m_Queries.clear();
-  MedialVoxelPollCounter poll;
-  std::size_t            waiting = 0;
+  MedialVoxelAbortChecker checker;
+  std::size_t             waiting = 0;
   for (std::size_t i = 0; i < workspace.m_Cells.size(); ++i)
   {
-    poll.Count();
+    checker.Count();
     Cell & cell = workspace.m_Cells[i];
     if (!cell.isWaiting)
     {
@@ -246,17 +246,17 @@ MedialVoxelJointClassifier::Collect(const MedialVoxelTileInput & input,
   workspace.m_Ranks.Reshape(tile);
   workspace.m_Cells.clear();
   workspace.m_Pairs.clear();
-  MedialVoxelPollCounter poll;
-  const auto             visit = [&](MedialVoxelCells & cells) {
-    poll.Count(static_cast<std::uint32_t>(cells.number));
-    const MedialVoxelBits::WordType spread = m_Pairs.Spread(cells);
+  MedialVoxelAbortChecker checker;
+  const auto              visit = [&](MedialVoxelCells & cells) {
+    checker.Count(static_cast<std::uint32_t>(cells.number));
+    const MedialVoxelBits::WordType nontrivial = m_Pairs.FindNontrivial(cells);
     const MedialVoxelBits::WordType inTile = CellsWithin(tile, cells);
     if (inTile != 0)
     {
-      labels.AddCandidates(cells.first, inTile, spread);
+      labels.AddCandidates(cells.first, inTile, nontrivial);
     }
     MedialVoxelDiagonalNumbers diagonals;
-    for (auto rest = spread; rest != 0; rest &= rest - 1)
+    for (auto rest = nontrivial; rest != 0; rest &= rest - 1)
     {
       const int           x = MedialVoxelLowestBit(rest);
       const bool          isInTile = ((inTile >> x) & 1u) != 0;
@@ -324,13 +324,15 @@ MedialVoxelJointClassifier::AddCell(const MedialVoxelIndex &      center,
   }
 }
 
-/** Decide a cell whose points are near each other, if they are also along the boundary: most such cells lie beside a
- * sheet, which no block can tell. */
+/** Decide a cell whose points are near each other, if they are near along the boundary too: most of these cells lie
+ * beside a sheet, and blocks cannot decide them. */
 bool
-MedialVoxelJointClassifier::LeaveOut(const MedialVoxelBits & sites, Cell & cell, MedialVoxelTileLabels & labels) const
+MedialVoxelJointClassifier::LabelShortPair(const MedialVoxelBits & sites,
+                                           Cell &                  cell,
+                                           MedialVoxelTileLabels & labels) const
 {
   const MedialVoxelDisplacement difference = cell.GetDifference();
-  const auto                    isShort = [](const std::int64_t steps) { return std::abs(steps) <= ShortWay; };
+  const auto                    isShort = [](const std::int64_t steps) { return std::abs(steps) <= ShortSteps; };
   if (!std::all_of(difference.begin(), difference.end(), isShort) ||
       m_Flood.Decide(sites, cell.a, difference) != MedialVoxelBitFlood::Result::FallsShort)
   {
@@ -342,7 +344,7 @@ MedialVoxelJointClassifier::LeaveOut(const MedialVoxelBits & sites, Cell & cell,
   return true;
 }
 
-/** Decide the cells whose points no path joins that is shorter than any threshold they can have. */
+/** Decide cells when no path between their points is shorter than any threshold they can have. */
 void
 MedialVoxelJointClassifier::SeparateByBlocks(const MedialVoxelTileInput & input,
                                              Workspace &                  workspace,
@@ -352,22 +354,22 @@ MedialVoxelJointClassifier::SeparateByBlocks(const MedialVoxelTileInput & input,
   {
     return;
   }
-  const double           way = this->GetWayToEdges(input, labels);
-  MedialVoxelPollCounter poll;
+  const double            margin = this->GetBoundMargin(input, labels);
+  MedialVoxelAbortChecker checker;
   for (Cell & cell : workspace.m_Cells)
   {
-    poll.Count();
-    const bool isLeftOut = this->LeaveOut(*input.window.sites, cell, labels);
-    if (!isLeftOut || way > 0.0)
+    checker.Count();
+    const bool isLabeled = this->LabelShortPair(*input.window.sites, cell, labels);
+    if (!isLabeled || margin > 0.0)
     {
       cell.limit = this->GetLargestEpsilon(cell.center, cell.radius, workspace);
     }
-    cell.epsilon = isLeftOut ? 0.0 : way + cell.limit;
+    cell.epsilon = isLabeled ? 0.0 : margin + cell.limit;
   }
-  m_Blocks.Narrow(*input.window.sites, input.progress, workspace.m_Blocks, workspace.m_Cells);
+  m_Blocks.Tighten(*input.window.sites, input.progress, workspace.m_Blocks, workspace.m_Cells);
   for (Cell & cell : workspace.m_Cells)
   {
-    poll.Count();
+    checker.Count();
     // The bound has its own label, for which the threshold itself must be known.
     if (cell.isWaiting && cell.bounds.Reach(cell.epsilon) &&
         m_Pairs.GetCell().FreeSpaceLength(cell.GetDifference()) < m_Threshold.EpsilonOf(cell.radius))
@@ -378,8 +380,7 @@ MedialVoxelJointClassifier::SeparateByBlocks(const MedialVoxelTileInput & input,
   }
 }
 
-/** Find the cells that fall short of the threshold that their own ball sets, as far as floods can tell; the others wait
- * for their threshold. */
+/** Find by floods the cells that fall short of the threshold of their own ball; the others wait for their threshold. */
 void
 MedialVoxelJointClassifier::BoundCells(const MedialVoxelTileInput & input,
                                        Workspace &                  workspace,
@@ -388,11 +389,11 @@ MedialVoxelJointClassifier::BoundCells(const MedialVoxelTileInput & input,
   auto & threshold = workspace.m_Threshold;
   threshold.cells.Reshape(labels.GetTile());
   threshold.radii.clear();
-  const double           way = this->GetWayToEdges(input, labels);
-  MedialVoxelPollCounter poll;
+  const double            margin = this->GetBoundMargin(input, labels);
+  MedialVoxelAbortChecker checker;
   for (Cell & cell : workspace.m_Cells)
   {
-    poll.Count();
+    checker.Count();
     if (!cell.isWaiting)
     {
       continue;
@@ -410,10 +411,10 @@ MedialVoxelJointClassifier::BoundCells(const MedialVoxelTileInput & input,
         continue;
       }
       workspace.m_Pairs.push_back(pair);
-      // What a cell reaches anyway, smaller balls need not raise; the bound has its own label.
+      // Balls need not raise a radius whose threshold the cell reaches anyway; the bound has its own label.
       const bool isBounded =
         cell.bounds.shortest > 0.0 && m_Pairs.GetCell().FreeSpaceLength(pair.difference) >= epsilon;
-      const double reached = (cell.bounds.shortest - way) * (1.0 - 3.0 * MedialVoxelResolutionBand);
+      const double reached = (cell.bounds.shortest - margin) * (1.0 - 3.0 * MedialVoxelResolutionBand);
       known = isBounded ? 0.0 : m_Threshold.RadiusBelow(reached);
     }
     threshold.cells.Set(cell.center);
@@ -422,7 +423,7 @@ MedialVoxelJointClassifier::BoundCells(const MedialVoxelTileInput & input,
   threshold.cells.Rank();
 }
 
-/** What floods tell of the geodesic distance of a cell whose threshold is at least \a epsilon. */
+/** Bound the geodesic distance of a cell whose threshold is at least \a epsilon by floods. */
 void
 MedialVoxelJointClassifier::BoundByFloods(const MedialVoxelBits & sites,
                                           const MedialVoxelPair & pair,
@@ -458,8 +459,8 @@ MedialVoxelJointClassifier::FloodLength(const MedialVoxelBits & sites, const Med
   }
 }
 
-/** At least the geodesic distance of a cell, when so few edges join its points that all of them together are shorter
- * than \a epsilon; otherwise infinite. */
+/** An upper bound of the geodesic distance of a cell, when its points are joined by so few edges that their sum is
+ * shorter than \a epsilon; otherwise infinite. */
 double
 MedialVoxelJointClassifier::LengthOfFewEdges(const MedialVoxelBits & sites,
                                              const Cell &            cell,

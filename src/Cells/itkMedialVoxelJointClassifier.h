@@ -21,26 +21,26 @@ namespace itk
 {
 
 /** \struct MedialVoxelTileInput
- * \brief What the labels of a tile are found from.
+ * \brief The input for the labels of a tile.
  * \ingroup MedialVoxel
  */
 struct MedialVoxelTileInput
 {
   const MedialVoxelWindow &   window;   ///< object bits, and the background border as sites
-  const MedialVoxelBox &      cells;    ///< those that get a threshold: the tile, or some around it as well
+  const MedialVoxelBox &      cells;    ///< cells that get a threshold: the tile, or some around it as well
   const MedialVoxelBits &     corners;  ///< object voxels whose cells are looked at
   const MedialVoxelFeatures & features; ///< displacements of MedialVoxelClassifier::GetFeatureBox()
   const MedialVoxelProgress & progress; ///< asked for an abort, after which labels and counts are incomplete
 };
 
 /** \class MedialVoxelJointClassifier
- * \brief Labels the dual cells of one tile together, each with the threshold of MedialVoxelLocalThreshold or all with
- * that of the parameters.
+ * \brief Labels the dual cells of one tile together, each with a MedialVoxelLocalThreshold, or all with the threshold
+ * of the parameters.
  *
  * All pairs of the tile are found first, with an automatic thickness also the inscribed balls in and around it. Pairs
- * that fall short of the smallest threshold are decided by that. What no bound decides is not medial when the way along
- * the pair of a neighboring cell is short, and medial when the points are in different components of the boundary
- * around them; only what is left is searched.
+ * that fall short of the smallest threshold are decided at once. Of the pairs that no bound decides, one is not medial
+ * when the path along the pair of a neighboring cell is short, and medial when its points are in different components
+ * of the boundary around them. Only the rest is searched.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelJointClassifier
@@ -123,7 +123,7 @@ public:
   MedialVoxelBox
   Classify(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;
 
-  /** The boundary points at the ends of an edge of voxels, and what the cells around it tell of them. */
+  /** The boundary points at the ends of an edge of voxels, and their bounds from the cells around it. */
   struct CrossedPair
   {
     const MedialVoxelIndex & a;
@@ -140,8 +140,8 @@ public:
     unsigned int                    number{ 0 };
   };
 
-  /** Add what the cells around an edge of the last input tell: the limits of their thresholds, which stay as they are
-   * unless the thickness is automatic, and of the geodesic distance, as far as needed. */
+  /** Add the bounds from the cells around an edge of the last input: of their thresholds, which stay as they are unless
+   * the thickness is automatic, and of the geodesic distance, as far as needed. */
   void
   LookAt(const Workspace &           workspace,
          const MedialVoxelFeatures & features,
@@ -167,13 +167,13 @@ private:
           Workspace &                   workspace) const;
 
   bool
-  LeaveOut(const MedialVoxelBits & sites, Cell & cell, MedialVoxelTileLabels & labels) const;
+  LabelShortPair(const MedialVoxelBits & sites, Cell & cell, MedialVoxelTileLabels & labels) const;
 
   double
   GetLargestEpsilon(const MedialVoxelIndex & cell, double radius, const Workspace & workspace) const;
 
   double
-  GetWayToEdges(const MedialVoxelTileInput & input, const MedialVoxelTileLabels & labels) const;
+  GetBoundMargin(const MedialVoxelTileInput & input, const MedialVoxelTileLabels & labels) const;
 
   void
   SeparateByBlocks(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;
@@ -199,16 +199,16 @@ private:
   std::optional<std::uint8_t>
   LabelByLength(const MedialVoxelBits & sites, const MedialVoxelPair & pair, double epsilon, Cell & cell) const;
 
-  /** How far along the boundary the points of a neighboring cell may lie from those of a cell that follows it. */
-  enum class Way : std::uint8_t
+  /** How far along the boundary the points of a cell may be from the points of the neighbor that decides it. */
+  enum class NeighborReach : std::uint8_t
   {
-    Edges,    ///< up to one edge from each point
-    TwoEdges, ///< up to two, which takes longer to find out
+    OneEdge,  ///< up to one edge from each point
+    TwoEdges, ///< up to two, which takes longer
   };
 
   bool
   DecideByNeighbors(const MedialVoxelBits & sites,
-                    Way                     way,
+                    NeighborReach           reach,
                     const Query &           query,
                     Workspace &             workspace,
                     MedialVoxelTileLabels & labels) const;
@@ -217,7 +217,7 @@ private:
   SortInwards(const Workspace & workspace, QueryIterator first, QueryIterator last);
 
   void
-  LeaveOutBranches(const MedialVoxelBits & sites, Workspace & workspace, MedialVoxelTileLabels & labels) const;
+  LabelBranches(const MedialVoxelBits & sites, Workspace & workspace, MedialVoxelTileLabels & labels) const;
 
   void
   Search(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;
@@ -235,14 +235,17 @@ private:
   FindCell(const Workspace & workspace, const MedialVoxelIndex & cell);
 
   double
-  WayTo(const MedialVoxelIndex & a, const MedialVoxelIndex & b, const Cell & cell) const;
+  PathLengthTo(const MedialVoxelIndex & a, const MedialVoxelIndex & b, const Cell & cell) const;
 
   double
-  LongerWayTo(const MedialVoxelBits & sites, const Cell & from, const Cell & to, double most) const;
+  LongerPathLengthTo(const MedialVoxelBits & sites, const Cell & from, const Cell & to, double most) const;
 
   void
-  FollowNeighbors(const Workspace & workspace, const MedialVoxelBits & sites, Way way, double epsilon, Cell & cell)
-    const;
+  FollowNeighbors(const Workspace &       workspace,
+                  const MedialVoxelBits & sites,
+                  NeighborReach           reach,
+                  double                  epsilon,
+                  Cell &                  cell) const;
 
   double
   EdgeBetween(const MedialVoxelIndex & a, const MedialVoxelIndex & b) const;

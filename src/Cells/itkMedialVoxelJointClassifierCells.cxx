@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-// What is known of the cells of a tile while and after they are decided.
+// Bounds of the cells of a tile, while and after they are decided.
 
 #include "itkMedialVoxelJointClassifier.h"
 
@@ -15,8 +15,8 @@ namespace itk
 namespace
 {
 
-/** Longest edges from the points of a cell to those of most edges of voxels around it. */
-constexpr double WayToEdges = 1.0;
+/** Longest edges from the points of a cell to the points of most edges of voxels around it. */
+constexpr double EdgesOfBoundMargin = 1.0;
 
 } // namespace
 
@@ -38,7 +38,7 @@ MedialVoxelJointClassifier::FindCell(const Workspace & workspace, const MedialVo
   }
   const Cell * const found = workspace.m_Cells.data() + ranks.RankOf(word, cell[1], cell[2], bit);
 #if defined(__GNUC__)
-  // Cells are asked for in their order, which processors do not see in time.
+  // Cells are requested in their order, but processors do not prefetch them.
   constexpr std::ptrdiff_t ahead = 8;
   __builtin_prefetch(found + ahead);
   __builtin_prefetch(reinterpret_cast<const char *>(found + ahead) + 64);
@@ -78,25 +78,27 @@ MedialVoxelJointClassifier::EdgeBetween(const MedialVoxelIndex & a, const Medial
   return m_Grid.GetEdgeLength(mask);
 }
 
-/** At least what the geodesic distances of two pairs differ by: edges from the points of one to those of a cell. */
+/** An upper bound of the difference of the geodesic distances of two pairs: edges between their points. */
 double
-MedialVoxelJointClassifier::WayTo(const MedialVoxelIndex & a, const MedialVoxelIndex & b, const Cell & cell) const
+MedialVoxelJointClassifier::PathLengthTo(const MedialVoxelIndex & a,
+                                         const MedialVoxelIndex & b,
+                                         const Cell &             cell) const
 {
   const double straight = this->EdgeBetween(a, cell.a) + this->EdgeBetween(b, cell.b);
   const double crossed = this->EdgeBetween(a, cell.b) + this->EdgeBetween(b, cell.a);
   return std::min(straight, crossed);
 }
 
-/** Length by which the bounds of cells are to exceed their thresholds, so that they decide pairs beside those of the
- * cells, if observers ask for such. */
+/** Length by which the bounds of cells must exceed their thresholds, so that they decide pairs of edges for observers
+ * too. */
 double
-MedialVoxelJointClassifier::GetWayToEdges(const MedialVoxelTileInput &  input,
-                                          const MedialVoxelTileLabels & labels) const
+MedialVoxelJointClassifier::GetBoundMargin(const MedialVoxelTileInput &  input,
+                                           const MedialVoxelTileLabels & labels) const
 {
-  return labels.GetTile().Contains(input.cells) ? 0.0 : WayToEdges * m_Grid.GetLongestEdge();
+  return labels.GetTile().Contains(input.cells) ? 0.0 : EdgesOfBoundMargin * m_Grid.GetLongestEdge();
 }
 
-/** At least the threshold of a cell with a ball of \a radius or 0. */
+/** An upper bound of the threshold of a cell with a ball of \a radius or 0. */
 double
 MedialVoxelJointClassifier::GetLargestEpsilon(const MedialVoxelIndex & cell,
                                               const double             radius,
@@ -105,7 +107,7 @@ MedialVoxelJointClassifier::GetLargestEpsilon(const MedialVoxelIndex & cell,
   return m_Threshold.EpsilonOf(MedialVoxelLocalThreshold::GetLargestRadius(cell, radius, workspace.m_Threshold));
 }
 
-/** Widen the limits of the thresholds of a pair by those of the cells around its edge. */
+/** Widen the limits of the threshold of a pair by the thresholds of the cells around its edge. */
 void
 MedialVoxelJointClassifier::LimitThresholds(const Workspace &           workspace,
                                             const MedialVoxelFeatures & features,
@@ -160,7 +162,7 @@ MedialVoxelJointClassifier::LookAt(const Workspace &           workspace,
   {
     if (cell != nullptr)
     {
-      pair.bounds.Narrow(cell->bounds, this->WayTo(pair.a, pair.b, *cell));
+      pair.bounds.Tighten(cell->bounds, this->PathLengthTo(pair.a, pair.b, *cell));
       if (pair.bounds.Reach(pair.mostEpsilon) || pair.bounds.FallShortOf(pair.leastEpsilon))
       {
         return;
@@ -169,7 +171,7 @@ MedialVoxelJointClassifier::LookAt(const Workspace &           workspace,
   }
 }
 
-/** Length of the shortest way of two edges between two boundary points; infinite when there is none. */
+/** Length of the shortest path of two edges between two boundary points; infinite when there is none. */
 double
 MedialVoxelJointClassifier::TwoEdgesBetween(const MedialVoxelBits &  sites,
                                             const MedialVoxelIndex & a,
@@ -198,36 +200,36 @@ MedialVoxelJointClassifier::TwoEdgesBetween(const MedialVoxelBits &  sites,
   return shortest;
 }
 
-/** WayTo() with up to two edges from each of the points; infinite when it exceeds \a most. */
+/** PathLengthTo() with up to two edges from each of the points; infinite when it exceeds \a most. */
 double
-MedialVoxelJointClassifier::LongerWayTo(const MedialVoxelBits & sites,
-                                        const Cell &            from,
-                                        const Cell &            to,
-                                        const double            most) const
+MedialVoxelJointClassifier::LongerPathLengthTo(const MedialVoxelBits & sites,
+                                               const Cell &            from,
+                                               const Cell &            to,
+                                               const double            most) const
 {
   const auto between = [&](const MedialVoxelIndex & i, const MedialVoxelIndex & j) {
     return std::min(this->EdgeBetween(i, j), this->TwoEdgesBetween(sites, i, j));
   };
   for (const bool isCrossed : { false, true })
   {
-    double way = between(from.a, isCrossed ? to.b : to.a);
-    if (way <= most)
+    double length = between(from.a, isCrossed ? to.b : to.a);
+    if (length <= most)
     {
-      way += between(from.b, isCrossed ? to.a : to.b);
+      length += between(from.b, isCrossed ? to.a : to.b);
     }
-    if (way <= most)
+    if (length <= most)
     {
-      return way;
+      return length;
     }
   }
   return std::numeric_limits<double>::infinity();
 }
 
-/** Narrow the bounds of a cell by those of its neighbors, until they decide it. */
+/** Tighten the bounds of a cell by the bounds of its neighbors, until they decide it. */
 void
 MedialVoxelJointClassifier::FollowNeighbors(const Workspace &       workspace,
                                             const MedialVoxelBits & sites,
-                                            const Way               way,
+                                            const NeighborReach     reach,
                                             const double            epsilon,
                                             Cell &                  cell) const
 {
@@ -256,9 +258,9 @@ MedialVoxelJointClassifier::FollowNeighbors(const Workspace &       workspace,
         {
           continue;
         }
-        const double length =
-          way == Way::Edges ? this->WayTo(cell.a, cell.b, neighbor) : this->LongerWayTo(sites, cell, neighbor, most);
-        cell.bounds.Narrow(neighbor.bounds, length);
+        const double length = reach == NeighborReach::OneEdge ? this->PathLengthTo(cell.a, cell.b, neighbor)
+                                                              : this->LongerPathLengthTo(sites, cell, neighbor, most);
+        cell.bounds.Tighten(neighbor.bounds, length);
         if (cell.bounds.FallShortOf(epsilon) || cell.bounds.Reach(epsilon))
         {
           return;

@@ -55,13 +55,14 @@ MedialVoxelLocalThreshold::RadiusOf(const MedialVoxelDiagonal & widest) const
   const MedialVoxelDualCell & cell = m_Pairs.GetCell();
   const auto                  distance = [&](const unsigned int corner, const MedialVoxelDisplacement & displacement) {
     const MedialVoxelDisplacement & offset = cell.GetCorner(corner);
-    std::array<double, 3>           way;
+    std::array<double, 3>           vector;
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
       const double center = m_Grid.IsActive(axis) ? 0.5 : 0.0;
-      way[axis] = (static_cast<double>(offset[axis] + displacement[axis]) - center) * m_Grid.GetMetricSpacing()[axis];
+      vector[axis] =
+        (static_cast<double>(offset[axis] + displacement[axis]) - center) * m_Grid.GetMetricSpacing()[axis];
     }
-    return std::sqrt((way[0] * way[0] + way[1] * way[1]) + way[2] * way[2]);
+    return std::sqrt((vector[0] * vector[0] + vector[1] * vector[1]) + vector[2] * vector[2]);
   };
   return 0.5 * (distance(widest.number, pair.displacement) +
                 distance(cell.GetOppositeCorner(widest.number), pair.oppositeDisplacement));
@@ -87,7 +88,7 @@ MedialVoxelLocalThreshold::FindRadii(const MedialVoxelFeatures & features, Works
   const MedialVoxelBits & cells = workspace.cells.GetBits();
   const MedialVoxelBox &  box = cells.GetBox();
   workspace.radii.clear();
-  MedialVoxelPollCounter poll;
+  MedialVoxelAbortChecker checker;
   for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
   {
     for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
@@ -95,7 +96,7 @@ MedialVoxelLocalThreshold::FindRadii(const MedialVoxelFeatures & features, Works
       const MedialVoxelBits::WordType * const row = cells.GetRow(y, z);
       for (std::int64_t i = 0; i < cells.GetWordsPerRow(); ++i)
       {
-        poll.Count();
+        checker.Count();
         const std::int64_t x = (cells.GetFirstWord() + i) * MedialVoxelBits::BitsPerWord;
         for (auto rest = row[i]; rest != 0; rest &= rest - 1)
         {

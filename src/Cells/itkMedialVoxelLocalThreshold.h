@@ -50,7 +50,7 @@ public:
   MedialVoxelBox
   GetCellBox(const MedialVoxelBox & cells) const;
 
-  /** Cells along each axis that a ball reaches, and one more: those around the cells of a tile have thresholds too. */
+  /** Cells along each axis that a ball reaches, and one more, because cells around a tile have thresholds too. */
   MedialVoxelIndex
   GetMargin() const;
 
@@ -110,7 +110,7 @@ public:
   void
   FindRadii(const MedialVoxelFeatures & features, Workspace & workspace) const;
 
-  /** Raise the radii of the cells of a workspace to LT(p), or leave those as they are that are larger.
+  /** Raise the radii of the cells of a workspace to LT(p); larger radii stay.
    *
    * \param surveyed  a workspace with the balls and the survey of a tile that has the cells */
   void

@@ -15,17 +15,17 @@ namespace
 /** Cells that are tested together. */
 constexpr std::int64_t GroupSize = 16;
 
-/** Cells whose diagonals are compared together; those of a thin wall are few. */
+/** Cells whose diagonals are compared together; a thin wall has few. */
 constexpr std::int64_t ChoiceSize = 8;
 
 /** Displacements from -Limit to Limit - 1 keep the squares of dot products below 2^24, exact in single precision. */
 constexpr std::int32_t Limit = 16;
 
-/** Number whose sign bit is set unless -1 <= a - b + corner <= 1, with corner = 1 or -1 the way between two corners.
- * Unsigned, as undefined displacements wrap. */
+/** Number whose sign bit is set unless -1 <= a - b + corner <= 1, with corner = 1 or -1 the offset between two corners.
+ * Unsigned, because undefined displacements wrap. */
 template <int VCorner>
 inline std::uint32_t
-Spread(const std::int32_t a, const std::int32_t b)
+NontrivialSign(const std::int32_t a, const std::int32_t b)
 {
   const std::uint32_t difference = static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b);
   return (difference + static_cast<std::uint32_t>(1 + VCorner)) |
@@ -34,10 +34,10 @@ Spread(const std::int32_t a, const std::int32_t b)
 
 /** Sign bits of the cells of a group. */
 MEDIALVOXEL_PART_OF_THEM inline void
-SpreadOfGroup(const MedialVoxelCornerRows & corners,
-              const std::int64_t            begin,
-              const std::int64_t            numberOfCells,
-              std::uint32_t * const         spread)
+NontrivialOfGroup(const MedialVoxelCornerRows & corners,
+                  const std::int64_t            begin,
+                  const std::int64_t            numberOfCells,
+                  std::uint32_t * const         nontrivial)
 {
   const std::int32_t * x[4];
   const std::int32_t * y[4];
@@ -51,13 +51,13 @@ SpreadOfGroup(const MedialVoxelCornerRows & corners,
   for (std::int64_t i = 0; i < numberOfCells; ++i)
   {
     const std::int64_t  j = i + 1;
-    const std::uint32_t alongX = Spread<-1>(x[0][i], x[3][j]) | Spread<1>(x[0][j], x[3][i]) |
-                                 Spread<-1>(x[1][i], x[2][j]) | Spread<1>(x[1][j], x[2][i]);
-    const std::uint32_t alongY = Spread<-1>(y[0][i], y[3][j]) | Spread<-1>(y[0][j], y[3][i]) |
-                                 Spread<1>(y[1][i], y[2][j]) | Spread<1>(y[1][j], y[2][i]);
-    const std::uint32_t alongZ = Spread<-1>(z[0][i], z[3][j]) | Spread<-1>(z[0][j], z[3][i]) |
-                                 Spread<-1>(z[1][i], z[2][j]) | Spread<-1>(z[1][j], z[2][i]);
-    spread[i] = alongX | alongY | alongZ;
+    const std::uint32_t alongX = NontrivialSign<-1>(x[0][i], x[3][j]) | NontrivialSign<1>(x[0][j], x[3][i]) |
+                                 NontrivialSign<-1>(x[1][i], x[2][j]) | NontrivialSign<1>(x[1][j], x[2][i]);
+    const std::uint32_t alongY = NontrivialSign<-1>(y[0][i], y[3][j]) | NontrivialSign<-1>(y[0][j], y[3][i]) |
+                                 NontrivialSign<1>(y[1][i], y[2][j]) | NontrivialSign<1>(y[1][j], y[2][i]);
+    const std::uint32_t alongZ = NontrivialSign<-1>(z[0][i], z[3][j]) | NontrivialSign<-1>(z[0][j], z[3][i]) |
+                                 NontrivialSign<-1>(z[1][i], z[2][j]) | NontrivialSign<-1>(z[1][j], z[2][i]);
+    nontrivial[i] = alongX | alongY | alongZ;
   }
 }
 
@@ -112,7 +112,7 @@ AddFractions(const MedialVoxelCornerRows & corners,
   const auto shifted = [](const std::int32_t steps) { return static_cast<std::uint32_t>(steps) + Limit; };
   for (std::int64_t i = 0; i < numberOfCells; ++i)
   {
-    // Twice the way from the center to the boundary points.
+    // Twice the vectors from the center to the boundary points.
     const float ax = stepX + 2.0F * static_cast<float>(x[0][i]);
     const float ay = stepY + 2.0F * static_cast<float>(y[0][i]);
     const float az = -1.0F + 2.0F * static_cast<float>(z[0][i]);
@@ -145,8 +145,8 @@ WidestOfGroup(const MedialVoxelCornerRows & corners,
   double       numbers[ChoiceSize];
   for (std::int64_t i = 0; i < numberOfCells; ++i)
   {
-    // Fractions of such small numbers are equal in double precision only when they are equal. Pairs first, without
-    // jumps, as which one wins cannot be foreseen, and in one type, as longer vectors need.
+    // Fractions of small numbers that are equal in double precision are equal. Pairs first, in one type for long
+    // vectors, and without jumps, because the winner cannot be predicted.
     const double n[4] = { numerator[0][i], numerator[1][i], numerator[2][i], numerator[3][i] };
     const double d[4] = { denominator[0][i], denominator[1][i], denominator[2][i], denominator[3][i] };
     const double lowerN = n[1] * d[0] < n[0] * d[1] ? n[1] : n[0];
@@ -166,9 +166,9 @@ WidestOfGroup(const MedialVoxelCornerRows & corners,
 } // namespace
 
 MEDIALVOXEL_FOR_PROCESSORS std::uint64_t
-                           MedialVoxelSpreadCells(const MedialVoxelCornerRows & corners,
-                                                  const std::uint64_t           cells,
-                                                  const std::int64_t            numberOfCells)
+                           MedialVoxelNontrivialCells(const MedialVoxelCornerRows & corners,
+                                                      const std::uint64_t           cells,
+                                                      const std::int64_t            numberOfCells)
 {
   std::uint64_t result = 0;
   for (std::int64_t begin = 0; begin < numberOfCells; begin += GroupSize)
@@ -177,17 +177,17 @@ MEDIALVOXEL_FOR_PROCESSORS std::uint64_t
     {
       continue;
     }
-    std::uint32_t spread[GroupSize] = {};
+    std::uint32_t nontrivial[GroupSize] = {};
     if (numberOfCells - begin >= GroupSize)
     {
-      // A number of cells that is known beforehand makes a loop without remainder.
-      SpreadOfGroup(corners, begin, GroupSize, spread);
+      // A constant number of cells makes a loop without remainder.
+      NontrivialOfGroup(corners, begin, GroupSize, nontrivial);
     }
     else
     {
-      SpreadOfGroup(corners, begin, numberOfCells - begin, spread);
+      NontrivialOfGroup(corners, begin, numberOfCells - begin, nontrivial);
     }
-    result |= GatherSigns(spread) << begin;
+    result |= GatherSigns(nontrivial) << begin;
   }
   return result & cells;
 }

@@ -35,7 +35,7 @@ struct MedialVoxelCornerRows
  * \return the bits of \a cells that hold; other bits are zero
  * \ingroup MedialVoxel */
 MedialVoxel_EXPORT std::uint64_t
-MedialVoxelSpreadCells(const MedialVoxelCornerRows & corners, std::uint64_t cells, std::int64_t numberOfCells);
+MedialVoxelNontrivialCells(const MedialVoxelCornerRows & corners, std::uint64_t cells, std::int64_t numberOfCells);
 
 /** \brief The diagonals of the cells of a row whose boundary points are seen under the widest angle, for equal
  * spacings.

@@ -10,7 +10,7 @@ namespace itk
 namespace
 {
 
-/** The threshold itself, or that in voxels for which floods are cheap: paths below it are below larger ones too. */
+/** The threshold itself, or the one in voxels for which floods are cheap: paths below it are below larger ones too. */
 double
 FloodEpsilon(const MedialVoxelGrid & grid, const double epsilon)
 {

@@ -40,7 +40,7 @@ MedialVoxelBoundOf(const MedialVoxelPair & pair, const MedialVoxelDualCell & cel
  * \brief Decides whether the boundary points of a pair are at least a threshold apart along the boundary.
  *
  * A small flood of bits, the bound of the parameters and the bounded geodesic search follow each other; they differ in
- * speed and in the label, never in what is medial. Pairs are independent of each other.
+ * speed and in the label, never in the medial cells. Pairs are independent of each other.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelPairDecision

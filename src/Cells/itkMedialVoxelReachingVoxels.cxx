@@ -78,7 +78,7 @@ FindNeighbors(const MedialVoxelBits & object,
   const std::int64_t first = bits.GetFirstWord();
   for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
   {
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
     for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
     {
       const WordType * const from = object.GetRow(y, z) - object.GetFirstWord();
@@ -188,8 +188,8 @@ private:
   AlongX(const WordType * const row, const std::int64_t word, const std::int64_t steps) const
   {
     const std::int64_t left = MedialVoxelBits::BitsPerWord - steps;
-    const auto         range = [&](const std::int64_t way) {
-      return MedialVoxelBits::RangeMask(word, m_Object.GetBox().lower[0] + way, m_Object.GetBox().upper[0] + way);
+    const auto         range = [&](const std::int64_t offset) {
+      return MedialVoxelBits::RangeMask(word, m_Object.GetBox().lower[0] + offset, m_Object.GetBox().upper[0] + offset);
     };
     const WordType upwards = (row[word] >> steps) | (row[word + 1] << left) | ~range(-steps);
     const WordType downwards = (row[word] << steps) | (row[word - 1] >> left) | ~range(steps);
@@ -239,11 +239,11 @@ MedialVoxelReachingVoxels::MedialVoxelReachingVoxels(const MedialVoxelGrid & gri
 }
 
 MedialVoxelIndex
-MedialVoxelReachingVoxels::GetSteps(const double way) const
+MedialVoxelReachingVoxels::GetSteps(const double distance) const
 {
-  // Shifts are less than a word; a test of fewer steps is as right, and leaves out less.
+  // Shifts are less than a word; a test of fewer steps is correct, and keeps more voxels.
   constexpr double most = MedialVoxelBits::BitsPerWord - 1;
-  const double     depth = (way - m_HalfDiagonal) * (1.0 - MedialVoxelResolutionBand);
+  const double     depth = (distance - m_HalfDiagonal) * (1.0 - MedialVoxelResolutionBand);
   MedialVoxelIndex steps{ { 0, 0, 0 } };
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
@@ -274,7 +274,7 @@ MedialVoxelReachingVoxels::Find(const MedialVoxelBits & object,
   MedialVoxelBox     found;
   for (std::int64_t z = voxels.lower[2]; z < voxels.upper[2]; ++z)
   {
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
     for (std::int64_t y = voxels.lower[1]; y < voxels.upper[1]; ++y)
     {
       const WordType * const from = object.GetRow(y, z) - object.GetFirstWord();

@@ -14,18 +14,18 @@ namespace itk
 {
 
 /** \class MedialVoxelReachingVoxels
- * \brief Leaves out the voxels around a tile at which no inscribed ball is large enough to reach the tile.
+ * \brief Finds the voxels around a tile at which an inscribed ball may be large enough to reach the tile.
  *
  * The radius of a ball around a cell is at most the distance from one of its corners to the boundary and half a
  * diagonal of the cell. So a corner of a cell whose ball reaches far lies deep in the object: all voxels within that
- * depth are object, of which those along the axes are tested. Around thin walls little is left.
+ * depth are object; the test looks along the axes. Around thin walls few voxels pass.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelReachingVoxels
 {
 public:
   /** \class Workspace
-   * \brief What was found last.
+   * \brief The last result.
    * \ingroup MedialVoxel
    */
   struct Workspace
@@ -58,9 +58,9 @@ private:
   class Search;
 
   /** Steps along each axis that end in the object, from a voxel so far from the corners of the cells along an axis, in
-   * metric units; longer ways have no fewer. */
+   * metric units; longer distances have no fewer. */
   MedialVoxelIndex
-  GetSteps(double way) const;
+  GetSteps(double distance) const;
 
   MedialVoxelGrid m_Grid;
   double          m_HalfDiagonal{ 0.0 };

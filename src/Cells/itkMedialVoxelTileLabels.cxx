@@ -24,10 +24,12 @@ MedialVoxelTileLabels::MedialVoxelTileLabels(const MedialVoxelBox &            t
 }
 
 void
-MedialVoxelTileLabels::AddCandidates(const MedialVoxelIndex & first, const WordType candidates, const WordType spread)
+MedialVoxelTileLabels::AddCandidates(const MedialVoxelIndex & first,
+                                     const WordType           candidates,
+                                     const WordType           nontrivial)
 {
   m_Counts.candidateCells += static_cast<std::uint64_t>(MedialVoxelPopulationCount(candidates));
-  m_Counts.trivialCells += static_cast<std::uint64_t>(MedialVoxelPopulationCount(candidates & ~spread));
+  m_Counts.trivialCells += static_cast<std::uint64_t>(MedialVoxelPopulationCount(candidates & ~nontrivial));
   // The first cells of a row may be beside the tile.
   const std::size_t offset = m_Tile.OffsetOf(first);
   for (WordType rest = candidates; rest != 0; rest &= rest - 1)

@@ -58,7 +58,7 @@ struct MedialVoxelCellRow
 };
 
 /** \class MedialVoxelTileLabels
- * \brief The labels of a tile while its cells are decided, and how many were decided by what.
+ * \brief The labels of a tile while its cells are decided, and how many each phase decided.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelTileLabels
@@ -86,16 +86,16 @@ public:
     return m_Tile.OffsetOf(cell);
   }
 
-  /** Cells of a row with an object corner; they are not medial until they are decided. Those that are not among
-   * \a spread are trivial. */
+  /** Cells of a row with an object corner; they are not medial until they are decided. All but the \a nontrivial ones
+   * are trivial. */
   void
-  AddCandidates(const MedialVoxelIndex & first, WordType candidates, WordType spread);
+  AddCandidates(const MedialVoxelIndex & first, WordType candidates, WordType nontrivial);
 
   /** The diagonals of cells of the last AddCandidates(), which began at \a first. */
   void
   KeepDiagonals(const MedialVoxelIndex & first, const MedialVoxelDiagonalNumbers & diagonals);
 
-  /** One more of the spread cells turns out to be trivial. */
+  /** One more of the nontrivial cells is trivial after all. */
   void
   CountTrivialCell()
   {

@@ -25,9 +25,9 @@ ForEachWallPoints(const MedialVoxelClassifier &           classifier,
                   const std::uint32_t                     steps,
                   TFunction &&                            function)
 {
-  MedialVoxelWallPoints  points;
-  MedialVoxelPollCounter poll;
-  const auto             findMeasured = [&rows](const auto from) {
+  MedialVoxelWallPoints   points;
+  MedialVoxelAbortChecker checker;
+  const auto              findMeasured = [&rows](const auto from) {
     return std::find_if(from, rows.end(), [](const MedialVoxelCellRow & row) { return row.measured != 0; });
   };
   const auto findCells = [&](const auto row) {
@@ -45,7 +45,7 @@ ForEachWallPoints(const MedialVoxelClassifier &           classifier,
     for (MedialVoxelBits::WordType rest = row->measured; rest != 0; rest &= rest - 1)
     {
       const int x = MedialVoxelLowestBit(rest);
-      poll.Count(steps);
+      checker.Count(steps);
       classifier.GetWallPoints(features, cells, x, row->diagonals.Get(x), points);
       function(points);
     }

@@ -28,7 +28,7 @@ constexpr std::int64_t FewRows = 16;
 constexpr std::int64_t Columns = MedialVoxelColumnPass::Columns;
 
 #if defined(__GNUC__)
-/** Values that are added and compared at once. A loop over them would be taken apart into single ones. */
+/** Values that are added and compared at once. Compilers would split a loop over them into single ones. */
 using Vector [[gnu::vector_size(Lanes * sizeof(std::int32_t))]] = std::int32_t;
 #endif
 
@@ -109,7 +109,7 @@ FindWinners(const Pass &         pass,
 #endif
 }
 
-/** Find the winners of a row between those of rows before and after it. */
+/** Find the winners of a row between the winners of rows before and after it. */
 MEDIALVOXEL_INLINE void
 SearchRow(const Pass & pass, const std::int64_t block, std::int64_t begin, std::int64_t last)
 {
@@ -136,7 +136,7 @@ FillBlock(const Pass & pass, const std::int64_t block, const std::int64_t begin,
   const std::int64_t   first = pass.first + block * BlockSize;
   std::int32_t * const result = pass.result + block * BlockSize * Columns;
 #if defined(__GNUC__)
-  // With i rows from the first one to another, (step + i)^2 is step^2 + 2 i step + i^2, the last of which can wait.
+  // With i rows from the first one to another, (step + i)^2 is step^2 + 2 i step + i^2; i^2 can wait.
   Vector best[BlockSize];
   std::fill(best, best + BlockSize, Vector{} + MedialVoxelSquaredLengths::None);
   Square square(first - begin);

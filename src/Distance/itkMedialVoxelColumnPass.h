@@ -12,11 +12,11 @@ namespace itk
 {
 
 /** \class MedialVoxelColumnPass
- * \brief One separable pass of the squared distance: what each voxel of a column finds in that column.
+ * \brief One separable pass of the squared distance, along columns.
  *
  * Voxel c finds the smallest costs[j] + (c - j)^2 of all voxels j. Of two voxels, the one further on wins for all c
- * from some c on, so that the winners are in order. Those of some voxels are searched between the winners of voxels
- * before and after them, and all others look between two of those. The work does not depend on how far winners are.
+ * from some c on, so that the winners are in order. Some voxels search theirs between the winners of voxels before and
+ * after them; all others look between two of these winners. The work does not depend on how far winners are.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelColumnPass

@@ -25,7 +25,7 @@ constexpr std::int64_t Columns = MedialVoxelColumnPass::Columns;
 /** Slices to a site that does not exist, more than any image has. */
 constexpr std::int16_t Nowhere = MedialVoxelSquaredLengths::LargestSize;
 
-/** Voxels that are searched beyond those that sufficed for the tiles before. */
+/** Further voxels that are searched beyond the reach of the tiles before. */
 constexpr std::int64_t ReachMargin = 24;
 
 /** Least voxels that a window grows by when it holds no site. */
@@ -63,11 +63,11 @@ StepsToUnknown(const MedialVoxelGrid & grid, const MedialVoxelBox & known, const
 }
 
 #if defined(__GNUC__)
-/** Columns that are counted at once. A loop over them would be taken apart into single ones. */
+/** Columns that are counted at once. Compilers would split a loop over them into single ones. */
 using Vector [[gnu::vector_size(Columns * sizeof(std::int16_t))]] = std::int16_t;
 #endif
 
-/** Slices from the last site on, for the columns of a slice, of which \a before tells the slice before. */
+/** Slices since the last site, for the columns of a slice; \a before is the result of the slice before. */
 MEDIALVOXEL_FOR_PROCESSORS void
 CountSlices(const WordType * const     sites,
             const int                  shift,
@@ -175,7 +175,7 @@ private:
   std::int64_t m_Left;
   std::int64_t m_Width;
 
-  MedialVoxelPollCounter m_Poll;
+  MedialVoxelAbortChecker m_Checker;
 };
 
 MedialVoxelDistanceTransform::Search::Search(const MedialVoxelBits &     sites,
@@ -229,7 +229,7 @@ MedialVoxelDistanceTransform::Search::Run()
   return largest;
 }
 
-/** Slices from the sites below and above the tile to those next to it. */
+/** Slices from the sites below and above the tile to the slices next to it. */
 void
 MedialVoxelDistanceTransform::Search::CountBeside()
 {
@@ -248,7 +248,7 @@ MedialVoxelDistanceTransform::Search::CountBeside()
   count(m_Memory.m_Above, above, std::min(above + m_Reach, known.upper[2]));
 }
 
-/** Copy a word of all rows and slices, which lie far from each other and are asked for several times. */
+/** Copy a word of all rows and slices: they lie far from each other and are read several times. */
 void
 MedialVoxelDistanceTransform::Search::CopyWords(const std::int64_t word)
 {
@@ -266,7 +266,7 @@ MedialVoxelDistanceTransform::Search::CopyWords(const std::int64_t word)
 void
 MedialVoxelDistanceTransform::Search::SearchColumns(const std::int64_t x)
 {
-  MedialVoxelPoll();
+  MedialVoxelCheckAbort();
   const std::int64_t   rows = m_Area.Extent(1);
   const std::int64_t   slices = m_Tile.Extent(2);
   const std::int64_t   number = rows * Columns;
@@ -317,11 +317,11 @@ MedialVoxelDistanceTransform::Search::SearchRows(const std::int64_t y, const std
   std::int32_t *     lines[Columns];
   for (std::int64_t row = 0; row < Columns; ++row)
   {
-    // The last row once more instead of those that are missing, which changes no largest value.
+    // The last row replaces missing rows; this changes no largest value.
     const std::int64_t own = std::min(row, rows - 1);
     lines[row] = m_Lengths.values.data() + m_Lengths.box.OffsetOf({ { m_Area.lower[0], y + own, z } });
   }
-  m_Poll.Count(static_cast<std::uint32_t>(length));
+  m_Checker.Count(static_cast<std::uint32_t>(length));
   std::int32_t * const costs = m_Memory.m_Costs.data();
   for (std::int64_t x = 0; x < length; ++x)
   {
@@ -374,7 +374,7 @@ MedialVoxelDistanceTransform::Compute(const MedialVoxelBits &     sites,
   const std::int64_t before = workspace.m_Reach;
   if (tile.Extent(2) > 1 && (before == 0 || before >= StepsToUnknown(m_Grid, known, tile)))
   {
-    // One slice tells whether the window is large enough, most probably.
+    // One slice shows whether the window is large enough, most probably.
     MedialVoxelBox slice = tile;
     slice.upper[2] = slice.lower[2] + 1;
     const std::int32_t   largest = Search(sites, slice, whole, workspace, lengths).Run();

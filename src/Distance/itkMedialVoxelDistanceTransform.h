@@ -16,8 +16,8 @@ namespace itk
 /** \class MedialVoxelDistanceTransform
  * \brief Exact squared distances of all voxels of a tile to their nearest sites, where spacings are equal.
  *
- * What MedialVoxelFeatureTransform finds, without the sites: along z by counting, then along y and x, for whole rows of
- * vector registers. A tile should hold whole rows, as what lies beside it is searched again for each.
+ * The distances of MedialVoxelFeatureTransform, without the sites: along z by counting, then along y and x, for whole
+ * rows of vector registers. A tile should hold whole rows, because each tile searches the voxels beside it again.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelDistanceTransform

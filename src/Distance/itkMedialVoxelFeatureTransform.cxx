@@ -18,11 +18,11 @@ namespace
 {
 
 /** Radii of the balls of sorted displacements, in voxels: the larger one is large enough for the walls of thin parts,
- * the smaller one tells thin parts from thick ones. */
+ * the smaller one separates thin parts from thick ones. */
 constexpr double NearRadius = 3.0;
 constexpr double FarRadius = 6.0;
 
-/** Part of the voxels that the smaller ball may leave for the larger one to be tried. */
+/** Share of the voxels that the smaller ball may leave before the larger one is tried. */
 constexpr std::uint64_t ThinPart = 8;
 
 /** Longest displacement of a tile, in voxels, from which the next one is taken for thick. */
@@ -112,11 +112,11 @@ MedialVoxelFeatureTransform::Compute(const MedialVoxelWindow &         window,
   tile.words = ((tileBox.upper[0] - 1) >> 6) - tile.firstWord + 1;
   tile.remaining.resize(static_cast<std::size_t>(tile.words * tileBox.Extent(1) * tileBox.Extent(2)));
 
-  // A guess that costs time where it is wrong, but changes nothing.
+  // A wrong guess costs time, but changes no result.
   const bool isThick = m_Grid.HasEqualSpacing() && workspace.m_Slices.reach >= ThickReach;
   for (std::int64_t z = tileBox.lower[2]; z < tileBox.upper[2]; ++z)
   {
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
     const std::uint64_t voxels = this->FindQueries(tile, z);
     if (voxels != 0 && !isThick)
     {
@@ -144,7 +144,7 @@ MedialVoxelFeatureTransform::Compute(const MedialVoxelWindow &         window,
   return this->MissingBox(tile);
 }
 
-/** Let all voxels of a slice that are asked for remain; their number. */
+/** Let all requested voxels of a slice remain; returns their number. */
 std::uint64_t
 MedialVoxelFeatureTransform::FindQueries(Tile & tile, const std::int64_t z) const
 {
@@ -166,7 +166,7 @@ MedialVoxelFeatureTransform::FindQueries(Tile & tile, const std::int64_t z) cons
       {
         const std::int64_t first = word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(query);
         const int          number = MedialVoxelHighestBit(query) - MedialVoxelLowestBit(query) + 1;
-        tile.features.Announce(tile.features.OffsetOf(first, y, z), static_cast<std::size_t>(number));
+        tile.features.MarkWritten(tile.features.OffsetOf(first, y, z), static_cast<std::size_t>(number));
       }
       voxels += static_cast<std::uint64_t>(MedialVoxelPopulationCount(query));
     }
@@ -185,22 +185,22 @@ MedialVoxelFeatureTransform::SearchNearby(Tile & tile, const std::int64_t z, con
   }
 }
 
-/** Search the remaining voxels of a slice for sites at the displacements of \a table; the number of those that remain.
- * As a word takes as long for few voxels as for many, it begins with a voxel that remains. */
+/** Search the remaining voxels of a slice for sites at the displacements of \a table; returns how many remain. A word
+ * begins with a remaining voxel, because it takes as long for few voxels as for many. */
 std::uint64_t
 MedialVoxelFeatureTransform::SearchTable(Tile & tile, const std::int64_t z, const MedialVoxelOffsetTable & table) const
 {
-  const MedialVoxelBox & box = tile.Box();
-  const std::int64_t     end = tile.words * MedialVoxelBits::BitsPerWord;
-  const std::int64_t     firstBit = tile.firstWord * MedialVoxelBits::BitsPerWord;
-  std::uint64_t          left = 0;
-  MedialVoxelPollCounter poll;
+  const MedialVoxelBox &  box = tile.Box();
+  const std::int64_t      end = tile.words * MedialVoxelBits::BitsPerWord;
+  const std::int64_t      firstBit = tile.firstWord * MedialVoxelBits::BitsPerWord;
+  std::uint64_t           left = 0;
+  MedialVoxelAbortChecker checker;
   for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
   {
     const MedialVoxelRemainingRow row{ &tile.Remaining(tile.firstWord, y, z), tile.words };
     for (std::int64_t bit = row.Next(0); bit < end; bit = row.Next(bit + MedialVoxelBits::BitsPerWord))
     {
-      poll.Count(MedialVoxelBits::BitsPerWord);
+      checker.Count(MedialVoxelBits::BitsPerWord);
       const WordType     query = row.Extract(bit);
       const std::int64_t x = firstBit + bit;
       const auto firstLane = static_cast<std::int64_t>(tile.features.OffsetOf(box.lower[0], y, z)) + (x - box.lower[0]);
@@ -238,7 +238,7 @@ MedialVoxelFeatureTransform::BoundRemaining(Tile & tile) const
           block.upper[axis] = std::min(block.lower[axis] + BoundBlockSize, range.upper[axis]);
           center[axis] = (block.lower[axis] + block.upper[axis]) / 2;
         }
-        MedialVoxelPoll();
+        MedialVoxelCheckAbort();
         if (!tile.AnyRemaining(block))
         {
           continue;

@@ -19,25 +19,25 @@ namespace itk
 {
 
 /** \struct MedialVoxelWindow
- * \brief What is known of the image around a tile: object bits, and site bits for all voxels of the box of \a sites.
+ * \brief The known image around a tile: object bits, and site bits for all voxels of the box of \a sites.
  * \ingroup MedialVoxel
  */
 struct MedialVoxelWindow
 {
   const MedialVoxelBits * object;
   const MedialVoxelBits * sites;
-  const MedialVoxelBits * asked{ nullptr }; ///< of all voxels of a tile those that get a displacement; null for all
+  const MedialVoxelBits * asked{ nullptr }; ///< voxels of a tile that get a displacement; null for all
 };
 
 /** \class MedialVoxelFeatureTransform
- * \brief Exact nearest-site displacements of one tile, from what a window knows.
+ * \brief Exact nearest-site displacements of one tile, from a window.
  *
  * The nearest site has the smallest key (squared metric length, z, y, x). A result at distance d is final when d is
- * smaller than the distance from the tile to the nearest voxel outside the window, so that no site that the window does
- * not know can be nearer or tie. When a tile is not final, the window that makes it final is returned instead.
+ * smaller than the distance from the tile to the nearest voxel outside the window: no site outside can be nearer or
+ * tie. When a tile is not final, the window that makes it final is returned instead.
  *
- * Voxels near a site are found 64 at a time by the sorted displacements of a small ball; what is left is searched by
- * exact separable passes along x, y and z inside the ball that a coarse search proved to hold the nearest sites.
+ * Voxels near a site are found 64 at a time by the sorted displacements of a small ball; the rest is searched by exact
+ * separable passes along x, y and z inside the ball that a coarse search proved to hold the nearest sites.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelFeatureTransform
@@ -52,7 +52,7 @@ public:
   private:
     friend class MedialVoxelFeatureTransform;
 
-    /** What the search along columns keeps. */
+    /** Memory of the search along columns. */
     struct Lines
     {
       std::vector<std::int32_t> nearestX;
@@ -65,13 +65,13 @@ public:
       std::vector<double>       squaresZ;
     };
 
-    /** What the search slice by slice keeps. */
+    /** Memory of the search slice by slice. */
     struct Slices
     {
       std::vector<MedialVoxelBits::WordType> open;     // columns without a site so far
       std::vector<std::int16_t>              previous; // slice of the last site of a column up to the slice at hand
       std::vector<std::int16_t>              next;     // slice of the first site of a column from the slice at hand on
-      std::vector<std::int16_t>              passed;   // what next is after the sites of slices to come
+      std::vector<std::int16_t>              passed;   // next, after the sites of slices to come
       std::vector<MedialVoxelBits::WordType> wanted;
       std::vector<std::uint8_t>              needed;
       std::vector<double>                    column;
@@ -108,9 +108,7 @@ public:
   /** Bytes that a workspace grows to, at most, for tiles and boxes of searched voxels that are not larger than these.
    */
   static std::uint64_t
-  GetWorkspaceBytes(const MedialVoxelGrid &  grid,
-                    const MedialVoxelIndex & tileSize,
-                    const MedialVoxelIndex & searchedSize);
+  GetBytes(const MedialVoxelGrid & grid, const MedialVoxelIndex & tileSize, const MedialVoxelIndex & searchedSize);
 
 private:
   struct Tile;
@@ -118,7 +116,7 @@ private:
   class SliceSearch;
 
   static std::uint64_t
-  GetSliceSearchBytes(const MedialVoxelIndex & tileSize, const MedialVoxelIndex & searchedSize);
+  GetBytes(const MedialVoxelIndex & tileSize, const MedialVoxelIndex & searchedSize);
 
   std::uint64_t
   FindQueries(Tile & tile, std::int64_t z) const;

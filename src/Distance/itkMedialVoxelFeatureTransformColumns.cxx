@@ -18,7 +18,7 @@ constexpr std::int64_t LaneUnit = 8;
 constexpr std::int64_t MostLanes = 64;
 
 /** Bytes of intermediate results above which fewer columns are searched at once. */
-constexpr std::int64_t EnoughLineBytes = std::int64_t{ 8 } << 20;
+constexpr std::int64_t SufficientLineMemory = std::int64_t{ 8 } << 20;
 
 /** Bytes of intermediate results of one column. */
 std::int64_t
@@ -33,7 +33,7 @@ BytesPerLane(const std::int64_t rows, const std::int64_t searchedRows, const std
 std::int64_t
 ChooseLanes(const std::int64_t rows, const std::int64_t searchedRows, const std::int64_t searchedSlices)
 {
-  const std::int64_t fitting = EnoughLineBytes / BytesPerLane(rows, searchedRows, searchedSlices);
+  const std::int64_t fitting = SufficientLineMemory / BytesPerLane(rows, searchedRows, searchedSlices);
   return std::clamp(fitting / LaneUnit * LaneUnit, LaneUnit, MostLanes);
 }
 
@@ -57,7 +57,7 @@ struct MedialVoxelFeatureTransform::ColumnGroup
   Tile &                  tile;
   Workspace::Lines &      lines;
 
-  /** First voxel and number of the columns, and that number rounded up to what vector instructions like. */
+  /** First voxel and number of the columns, and that number rounded up to whole vectors. */
   std::int64_t x;
   std::int64_t columns;
   std::int64_t lanes;
@@ -67,7 +67,7 @@ struct MedialVoxelFeatureTransform::ColumnGroup
   MedialVoxelBox   search;
   MedialVoxelIndex margin;
 
-  /** Passes along x and y, one slice after the other, as only the slice at hand needs its costs along x. */
+  /** Passes along x and y, one slice after the other, because only the current slice needs its costs along x. */
   void
   SearchSlices() const
   {
@@ -77,7 +77,7 @@ struct MedialVoxelFeatureTransform::ColumnGroup
     MedialVoxelReserve(lines.positionY, range.Extent(1) * search.Extent(2) * lanes);
     for (std::int64_t slice = 0; slice < search.Extent(2) && !tile.IsAborted(); ++slice)
     {
-      MedialVoxelPoll();
+      MedialVoxelCheckAbort();
       this->SearchAlongX(slice);
       this->SearchAlongY(slice);
     }
@@ -128,7 +128,7 @@ struct MedialVoxelFeatureTransform::ColumnGroup
     MedialVoxelReserve(lines.positionZ, lanes);
     for (std::int64_t y = range.lower[1]; y < range.upper[1]; ++y)
     {
-      MedialVoxelPoll();
+      MedialVoxelCheckAbort();
       for (std::int64_t z = range.lower[2]; z < range.upper[2] && !tile.IsAborted(); ++z)
       {
         MedialVoxelSearchOutward(lines.costXY.data() + (y - range.lower[1]) * lanes,
@@ -223,13 +223,13 @@ MedialVoxelFeatureTransform::SearchColumns(Tile & tile, Workspace::Lines & lines
 }
 
 std::uint64_t
-MedialVoxelFeatureTransform::GetWorkspaceBytes(const MedialVoxelGrid &  grid,
-                                               const MedialVoxelIndex & tileSize,
-                                               const MedialVoxelIndex & searchedSize)
+MedialVoxelFeatureTransform::GetBytes(const MedialVoxelGrid &  grid,
+                                      const MedialVoxelIndex & tileSize,
+                                      const MedialVoxelIndex & searchedSize)
 {
   const auto columns = static_cast<std::uint64_t>(ChooseLanes(tileSize[1], searchedSize[1], searchedSize[2]) *
                                                   BytesPerLane(tileSize[1], searchedSize[1], searchedSize[2]));
-  const auto slices = GetSliceSearchBytes(tileSize, searchedSize);
+  const auto slices = GetBytes(tileSize, searchedSize);
   const bool isWithinReach =
     *std::max_element(searchedSize.begin(), searchedSize.end()) <= MedialVoxelSiteKey::LongestReach;
   return !grid.HasEqualSpacing() ? columns : (isWithinReach ? slices : columns + slices);

@@ -50,7 +50,7 @@ struct MedialVoxelRemainingRow
     return (first[word] >> shift) | (isSplit ? first[word + 1] << (MedialVoxelBits::BitsPerWord - shift) : 0);
   }
 
-  /** Clear those of the 64 bits from \a bit on that are set in \a bits. */
+  /** Of the 64 bits from \a bit on, clear the ones set in \a bits. */
   void
   Clear(const std::int64_t bit, const MedialVoxelBits::WordType bits) const
   {
@@ -64,7 +64,7 @@ struct MedialVoxelRemainingRow
   }
 };
 
-/** What the steps of the transform of one tile hand on. */
+/** Shared by the steps of the transform of one tile. */
 struct MedialVoxelFeatureTransform::Tile
 {
   const MedialVoxelWindow &                window;

@@ -30,7 +30,7 @@ constexpr std::int64_t MostSlices = 4096;
 /** Least voxels around a tile that are searched. */
 constexpr std::int64_t LeastReach = 12;
 
-/** Voxels that are searched beyond those that sufficed for the slice before. */
+/** Further voxels that are searched beyond the reach of the slice before. */
 constexpr std::int64_t ReachMargin = 6;
 
 std::int64_t
@@ -55,7 +55,7 @@ public:
   void
   Prepare(std::int64_t z, std::int64_t reach);
 
-  /** True when slice \a z, the next one, is among those made ready. */
+  /** True when slice \a z, the next one, is ready. */
   bool
   IsReady(const std::int64_t z) const
   {
@@ -101,7 +101,7 @@ private:
   Tile &              m_Tile;
   Workspace::Slices & m_Memory;
 
-  /** Rows and columns whose sites count, and the first slice of those made ready and the one after the last. */
+  /** Rows and columns whose sites count, and the first ready slice and the one after the last. */
   MedialVoxelBox m_Area;
   std::int64_t   m_FirstSlice{ 0 };
   std::int64_t   m_EndSlice{ 0 };
@@ -118,7 +118,7 @@ MedialVoxelFeatureTransform::SliceSearch::VisitSites(const std::int64_t z, TVisi
   const std::int64_t      firstWord = m_Area.lower[0] >> 6;
   const std::int64_t      lastWord = (m_Area.upper[0] - 1) >> 6;
   const std::int64_t      rows = m_Area.Extent(1);
-  MedialVoxelPoll();
+  MedialVoxelCheckAbort();
   for (std::int64_t y = m_Area.lower[1]; y < m_Area.upper[1]; ++y)
   {
     const WordType * const row = sites.GetRow(y, z) - sites.GetFirstWord();
@@ -166,7 +166,7 @@ MedialVoxelFeatureTransform::SliceSearch::Prepare(const std::int64_t z, const st
   m_Memory.passed.clear();
   m_FirstSlice = z;
 
-  // As many slices as there is room to remember the sites of; a single one always fits.
+  // As many slices as the memory of their sites allows; a single one always fits.
   m_EndSlice = z;
   std::uint64_t      sites = 0;
   const std::int64_t mostEnd = std::min(m_Tile.remainingBox.upper[2], z + MostSlices);
@@ -225,8 +225,7 @@ MedialVoxelFeatureTransform::SliceSearch::SearchSlice(const std::int64_t z)
 
 /** For each block of rows the columns that have a voxel of the region in it.
  *
- * No other voxel but a site lies on the way along x from a voxel to its nearest site: wherever the region ends, a
- * site is met. */
+ * Along x, a voxel reaches a site before the region ends. */
 void
 MedialVoxelFeatureTransform::SliceSearch::FindWanted(const std::int64_t z)
 {
@@ -287,7 +286,7 @@ MedialVoxelFeatureTransform::SliceSearch::SearchAlongY(const std::int64_t z)
   m_Memory.passY.SetLongestRow(m_Area.Extent(1));
   for (std::int64_t group = m_Area.lower[0]; group < m_Area.upper[0]; group += ColumnsAtOnce)
   {
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
     const std::int64_t columns = std::min(ColumnsAtOnce, m_Area.upper[0] - group);
     for (std::int64_t column = 0; column < columns; ++column)
     {
@@ -325,11 +324,11 @@ MedialVoxelFeatureTransform::SliceSearch::SearchAlongX(const std::int64_t z)
   const std::int64_t pitch = m_Area.Extent(0) + ColumnsAtOnce;
   MedialVoxelReserve(m_Memory.found, blocks * BlockSize);
   m_Memory.passX.SetLongestRow(m_Area.Extent(0));
-  MedialVoxelPollCounter poll;
-  double                 largest = 0.0;
+  MedialVoxelAbortChecker checker;
+  double                  largest = 0.0;
   for (std::int64_t y = m_Remaining.lower[1]; y < m_Remaining.upper[1]; ++y)
   {
-    poll.Count(static_cast<std::uint32_t>(m_Area.Extent(0)));
+    checker.Count(static_cast<std::uint32_t>(m_Area.Extent(0)));
     bool any = false;
     for (std::int64_t block = 0; block < blocks; ++block)
     {
@@ -360,7 +359,7 @@ MedialVoxelFeatureTransform::SliceSearch::SearchAlongX(const std::int64_t z)
   return largest;
 }
 
-/** The remaining voxels among those of a block that begins at \a x. */
+/** The remaining voxels of the block that begins at \a x. */
 WordType
 MedialVoxelFeatureTransform::SliceSearch::RemainingBits(const std::int64_t x,
                                                         const std::int64_t y,
@@ -451,8 +450,7 @@ MedialVoxelFeatureTransform::SearchSlices(Tile & tile, Workspace::Slices & memor
 }
 
 std::uint64_t
-MedialVoxelFeatureTransform::GetSliceSearchBytes(const MedialVoxelIndex & tileSize,
-                                                 const MedialVoxelIndex & searchedSize)
+MedialVoxelFeatureTransform::GetBytes(const MedialVoxelIndex & tileSize, const MedialVoxelIndex & searchedSize)
 {
   const std::int64_t area = searchedSize[0] * searchedSize[1];
   const std::int64_t blocks = std::max(BlocksOf(tileSize[0]), ColumnsAtOnce * BlocksOf(tileSize[1]));

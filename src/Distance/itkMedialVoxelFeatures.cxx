@@ -16,30 +16,30 @@ MedialVoxelFeatures::Reset(const MedialVoxelBox & newBox)
   {
     if (size > component->capacity())
     {
-      // Freed before more is taken, so that both are never there at the same time.
+      // Free the old memory first, so that both never exist at the same time.
       std::vector<std::int32_t>().swap(*component);
       component->resize(size);
       continue;
     }
-    for (const Run & run : m_Announced)
+    for (const Run & run : m_Written)
     {
       std::fill_n(component->begin() + static_cast<std::ptrdiff_t>(run.offset), run.number, 0);
     }
     component->resize(size);
   }
-  m_Announced.clear();
+  m_Written.clear();
 }
 
 void
-MedialVoxelFeatures::Announce(const std::size_t offset, const std::size_t number)
+MedialVoxelFeatures::MarkWritten(const std::size_t offset, const std::size_t number)
 {
-  if (!m_Announced.empty() && m_Announced.back().offset + m_Announced.back().number == offset)
+  if (!m_Written.empty() && m_Written.back().offset + m_Written.back().number == offset)
   {
-    m_Announced.back().number += number;
+    m_Written.back().number += number;
   }
   else
   {
-    m_Announced.push_back({ offset, number });
+    m_Written.push_back({ offset, number });
   }
 }
 

@@ -38,7 +38,7 @@ MedialVoxelVisitFirstSites(const MedialVoxelBits &                  sites,
   }
   for (std::int64_t z = first; z != end; z += first < end ? 1 : -1)
   {
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
     WordType * openOfRow = open.data();
     for (std::int64_t row = 0; row < rows; ++row, openOfRow += words)
     {

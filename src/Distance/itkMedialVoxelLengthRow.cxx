@@ -20,8 +20,8 @@ namespace
 /** Voxels of one vector, more or less. */
 constexpr std::int64_t Columns = 32;
 
-/** Squares below which floats hold all whole numbers. A float root of them is that of doubles, rounded, as those have
- * more than twice as many digits. */
+/** Squares below which floats hold all whole numbers. Their float root is the rounded root of doubles, which have more
+ * than twice as many digits. */
 constexpr std::int32_t EndOfFloats = 1 << 24;
 
 /** Spacings whose squares, times any number of voxels, are ordinary floats. */
@@ -117,7 +117,7 @@ IsPowerOfTwo(const double value)
 bool
 MedialVoxelLengthRow::HasExactLengths(const double spacing)
 {
-  // Three squares of so many digits, times those of the largest size of an image, have no more than doubles have.
+  // Three squares of so many digits, times the digits of the largest image size, fit a double.
   constexpr double digits = 1 << 11;
   int              exponent = 0;
   const double     whole = std::frexp(spacing, &exponent) * digits;
@@ -130,12 +130,12 @@ MedialVoxelLengthRow::AppendDoubtful(const double                spacing,
                                      const std::int32_t          end,
                                      std::vector<std::int32_t> & squares)
 {
-  // More than the rounding of both ways together, of at most five and a half half units.
-  constexpr double       error = 4.0 * std::numeric_limits<double>::epsilon();
-  MedialVoxelPollCounter poll;
+  // More than the rounding of both computations together, at most five and a half half units.
+  constexpr double        error = 4.0 * std::numeric_limits<double>::epsilon();
+  MedialVoxelAbortChecker checker;
   for (std::int32_t square = begin; square < end; ++square)
   {
-    poll.Count();
+    checker.Count();
     const double length = std::sqrt(static_cast<double>(square) * (spacing * spacing));
     if (static_cast<float>(length * (1.0 - error)) != static_cast<float>(length * (1.0 + error)))
     {

@@ -29,8 +29,8 @@ public:
   static bool
   HasExactLengths(double spacing);
 
-  /** Append the squares, of those from \a begin on and before \a end, whose lengths could become another float when
-   * they are computed from the components of a displacement instead. They are very rare. */
+  /** Append the squares from \a begin on and before \a end whose lengths could become another float when computed from
+   * the components of a displacement. They are very rare. */
   static void
   AppendDoubtful(double spacing, std::int32_t begin, std::int32_t end, std::vector<std::int32_t> & squares);
 

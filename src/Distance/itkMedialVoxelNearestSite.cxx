@@ -11,7 +11,7 @@
 #include <tuple>
 #include <utility>
 
-// Costs and positions never overlap, which compilers must know to vectorize short lines.
+// Costs and positions never overlap; compilers must know to vectorize short lines.
 #if defined(_MSC_VER)
 #  define MEDIALVOXEL_RESTRICT __restrict
 #else
@@ -321,11 +321,11 @@ MedialVoxelSquaredDistanceToSites(const MedialVoxelGrid &  grid,
                                   const MedialVoxelIndex & voxel,
                                   const double             limit)
 {
-  const MedialVoxelBox & box = sites.GetBox();
-  const auto &           spacing = grid.GetMetricSpacing();
-  double                 best = limit * limit;
-  bool                   found = false;
-  MedialVoxelPollCounter poll;
+  const MedialVoxelBox &  box = sites.GetBox();
+  const auto &            spacing = grid.GetMetricSpacing();
+  double                  best = limit * limit;
+  bool                    found = false;
+  MedialVoxelAbortChecker checker;
 
   const auto searchRow = [&](const std::int64_t y, const std::int64_t z) {
     const double planar = grid.SquaredMetricLength(0, y - voxel[1], z - voxel[2]);
@@ -353,7 +353,7 @@ MedialVoxelSquaredDistanceToSites(const MedialVoxelGrid &  grid,
     { voxel[1] - box.lower[1], box.upper[1] - 1 - voxel[1], voxel[2] - box.lower[2], box.upper[2] - 1 - voxel[2] });
   for (std::int64_t ring = 0; ring <= rings; ++ring)
   {
-    poll.Count(static_cast<std::uint32_t>(8 * ring));
+    checker.Count(static_cast<std::uint32_t>(8 * ring));
     const double nearestOfRing = static_cast<double>(ring) * std::min(spacing[1], spacing[2]);
     if (nearestOfRing * nearestOfRing > best)
     {

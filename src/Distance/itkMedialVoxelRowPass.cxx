@@ -13,30 +13,30 @@ namespace itk
 namespace
 {
 
-/** Vectors that processors without such long ones split. */
-constexpr std::size_t BytesOfVector = 32;
+/** Processors with shorter vectors split these. */
+constexpr std::size_t VectorSize = 32;
 
 /** First attempt of a search about which nothing is known. */
 constexpr std::int64_t FirstReach = 16;
 
 #if defined(__GNUC__)
-/** Doubles that are added and compared at once. A loop over them would be taken apart into single ones. */
-template <std::size_t VBytes>
+/** Doubles that are added and compared at once. Compilers would split a loop over them into single ones. */
+template <std::size_t VSize>
 struct Vector
 {
-  using Type [[gnu::vector_size(VBytes)]] = double;
+  using Type [[gnu::vector_size(VSize)]] = double;
 };
 #endif
 
 /** Smallest of keys[j] + steps[j] for j in [begin, end). */
-template <std::size_t VBytes>
+template <std::size_t VSize>
 MEDIALVOXEL_INLINE double
 SmallestSum(const double * const keys, const double * const steps, std::int64_t begin, const std::int64_t end)
 {
   double smallest = MedialVoxelSiteKey::NoSite;
 #if defined(__GNUC__)
-  using VectorType = typename Vector<VBytes>::Type;
-  constexpr std::size_t  vectors = 64 / VBytes;
+  using VectorType = typename Vector<VSize>::Type;
+  constexpr std::size_t  vectors = 64 / VSize;
   constexpr std::int64_t lanes = 64 / sizeof(double);
   if (end - begin >= lanes)
   {
@@ -48,8 +48,8 @@ SmallestSum(const double * const keys, const double * const steps, std::int64_t 
       {
         VectorType key;
         VectorType step;
-        std::memcpy(&key, keys + begin + i * (VBytes / sizeof(double)), VBytes);
-        std::memcpy(&step, steps + begin + i * (VBytes / sizeof(double)), VBytes);
+        std::memcpy(&key, keys + begin + i * (VSize / sizeof(double)), VSize);
+        std::memcpy(&step, steps + begin + i * (VSize / sizeof(double)), VSize);
         key += step;
         best[i] = key < best[i] ? key : best[i];
       }
@@ -67,7 +67,7 @@ SmallestSum(const double * const keys, const double * const steps, std::int64_t 
 }
 
 /** Smallest of keys[j] + steps[lane - j] for j in [begin, end), for all lanes of a block. */
-template <std::size_t VBytes>
+template <std::size_t VSize>
 MEDIALVOXEL_INLINE void
 SmallestSums(const double * const keys,
              const double * const steps,
@@ -76,8 +76,8 @@ SmallestSums(const double * const keys,
              double * const       result)
 {
 #if defined(__GNUC__)
-  using VectorType = typename Vector<VBytes>::Type;
-  constexpr std::size_t vectors = static_cast<std::size_t>(MedialVoxelRowPass::BlockSize) * sizeof(double) / VBytes;
+  using VectorType = typename Vector<VSize>::Type;
+  constexpr std::size_t vectors = static_cast<std::size_t>(MedialVoxelRowPass::BlockSize) * sizeof(double) / VSize;
   VectorType            best[vectors];
   std::fill(best, best + vectors, VectorType{} + MedialVoxelSiteKey::NoSite);
   for (std::int64_t j = begin; j < end; ++j)
@@ -85,7 +85,7 @@ SmallestSums(const double * const keys,
     for (std::size_t i = 0; i < vectors; ++i)
     {
       VectorType sum;
-      std::memcpy(&sum, steps - j + i * (VBytes / sizeof(double)), VBytes);
+      std::memcpy(&sum, steps - j + i * (VSize / sizeof(double)), VSize);
       sum += keys[j];
       best[i] = sum < best[i] ? sum : best[i];
     }
@@ -106,7 +106,7 @@ SmallestSums(const double * const keys,
 MEDIALVOXEL_FOR_PROCESSORS double
 FindSmallestSum(const double * const keys, const double * const steps, const std::int64_t begin, const std::int64_t end)
 {
-  return SmallestSum<BytesOfVector>(keys, steps, begin, end);
+  return SmallestSum<VectorSize>(keys, steps, begin, end);
 }
 
 MEDIALVOXEL_FOR_PROCESSORS void
@@ -116,7 +116,7 @@ FindSmallestSums(const double * const keys,
                  const std::int64_t   end,
                  double * const       result)
 {
-  SmallestSums<BytesOfVector>(keys, steps, begin, end, result);
+  SmallestSums<VectorSize>(keys, steps, begin, end, result);
 }
 
 } // namespace

@@ -18,8 +18,8 @@ namespace itk
  *
  * Voxel c of a row sees the key of voxel j as keys[j] plus a step that grows with the square of j - c. Of two voxels,
  * the one further on wins for all c from some c on, so that the winners of the voxels of a row are in order, ties
- * included. Only one voxel in BlockSize therefore searches for its winner; the others look between two of those.
- * The work does not depend on how far the winners are.
+ * included. Only one voxel in BlockSize therefore searches for its winner; the others look between two winners. The
+ * work does not depend on how far the winners are.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelRowPass
@@ -53,8 +53,8 @@ public:
    * \param first   first voxel of the first block; blocks may end after the row
    * \param blocks  number of blocks
    * \param needed  for each block whether it is searched for; others are left alone
-   * \param result  keys of all blocks, BlockSize for each; those of displacements longer than
-   *                MedialVoxelSiteKey::LongestReach may be larger than they could be */
+   * \param result  keys of all blocks, BlockSize for each; not the smallest ones where displacements are longer than
+   *                MedialVoxelSiteKey::LongestReach */
   void
   Search(const double *       keys,
          std::int64_t         length,

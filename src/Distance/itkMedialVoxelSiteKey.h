@@ -16,8 +16,8 @@ namespace itk
  * \brief Order of possible sites of one voxel as one number, for equal spacings: the nearest site has the smallest key.
  *
  * A key is a whole number below 2^53, so that a double holds it exactly and doubles add and compare it: from the
- * highest bit the squared length in voxels, dz, dy, and one bit that tells whether dx is positive. What dx is follows
- * from the rest. Keys with the same squared length are thus in the order of (z, y, x).
+ * highest bit the squared length in voxels, dz, dy, and one bit for a positive dx. The length of dx follows from the
+ * rest. Keys with the same squared length are thus in the order of (z, y, x).
  * \ingroup MedialVoxel
  */
 struct MedialVoxelSiteKey
@@ -41,14 +41,14 @@ struct MedialVoxelSiteKey
     return dz * dz * SquareUnit + (dz * (1 << ShiftZ) + (Bias * (1 << ShiftZ) + Bias * (1 << ShiftY)));
   }
 
-  /** What a key grows by when the site is \a dy rows further on. */
+  /** Growth of a key when the site is \a dy rows further on. */
   static double
   StepAlongY(const std::int64_t dy)
   {
     return static_cast<double>(dy * dy) * SquareUnit + static_cast<double>(dy * (1 << ShiftY));
   }
 
-  /** What a key grows by when the site is \a dx columns further on. */
+  /** Growth of a key when the site is \a dx columns further on. */
   static double
   StepAlongX(const std::int64_t dx)
   {

@@ -21,15 +21,16 @@ namespace
 {
 
 MedialVoxelSlabWalker::Settings
-GetSettingsOf(const MedialVoxelGrid & grid, const MedialVoxelExtraction & extraction)
+GetSettingsOf(const MedialVoxelGrid & grid, const MedialVoxelSheetExtraction & extraction)
 {
   auto settings = MedialVoxelSlabWalker::Settings::ForClassification(
     grid, extraction.parameters, extraction.vectorBoundary == MedialVoxelBoundary::Object);
   if (extraction.KeepsRows())
   {
-    settings.workerBytesPerVoxel += MedialVoxelTileWallsBytesPerVoxel + extraction.observerBytesPerVoxel;
+    settings.bytesPerVoxel += MedialVoxelTileWallsBytesPerVoxel + extraction.observerBytesPerVoxel;
     settings.keepsGray = extraction.grayRange.has_value();
-    settings.workerBytes += settings.keepsGray && extraction.grayRange->scan ? MedialVoxelGrayNormals::GetBytes() : 0;
+    settings.bytesPerWorker +=
+      settings.keepsGray && extraction.grayRange->scan ? MedialVoxelGrayNormals::GetBytes() : 0;
   }
   if (settings.keepsGray)
   {
@@ -61,7 +62,7 @@ GetSettingsOfWalls(const MedialVoxelGrid & grid, const MedialVoxelLocalThickness
     settings.halo[axis] += painter.GetMargin()[axis];
   }
   settings.preferredTileEdge = MedialVoxelWallThicknessTask::TileEdge;
-  settings.workerBytesPerVoxel += MedialVoxelWallPainter::BytesPerVoxel + sizeof(float);
+  settings.bytesPerVoxel += MedialVoxelWallPainter::BytesPerVoxel + sizeof(float);
   return settings;
 }
 
@@ -81,11 +82,11 @@ GetSettingsOf(const MedialVoxelGrid & grid, const MedialVoxelLocalThickness & th
     settings.halo[axis] = 2 * settings.tileMargin[axis] + 1;
   }
   settings.maximumPoreSize = thickness.maximumPoreSize;
-  settings.workerBytesPerVoxel += MedialVoxelBallPainter::BytesPerVoxel + sizeof(float);
+  settings.bytesPerVoxel += MedialVoxelBallPainter::BytesPerVoxel + sizeof(float);
   return settings;
 }
 
-/** The settings of the task, with those that all tasks have. */
+/** The settings of the task and of all tasks. */
 MedialVoxelSlabWalker::Settings
 GetWalkerSettings(const MedialVoxelGrid & grid, const MedialVoxelEngineSettings & engine)
 {
@@ -100,7 +101,7 @@ GetWalkerSettings(const MedialVoxelGrid & grid, const MedialVoxelEngineSettings 
 }
 
 std::unique_ptr<const MedialVoxelTileTask>
-MakeTask(const MedialVoxelGrid & grid, const MedialVoxelExtraction & extraction)
+MakeTask(const MedialVoxelGrid & grid, const MedialVoxelSheetExtraction & extraction)
 {
   return std::make_unique<const MedialVoxelExtractionTask>(grid, extraction);
 }
@@ -136,7 +137,7 @@ public:
     , m_Walker(grid, GetWalkerSettings(grid, settings))
   {}
 
-  /** Made for the first run, as its tables take time that a plan can do without. */
+  /** Made for the first run, because a plan does not need its tables. */
   const MedialVoxelTileTask &
   GetTask()
   {

@@ -14,7 +14,7 @@ MedialVoxelEngineClient::UpdateProgress(float)
 {}
 
 bool
-MedialVoxelEngineClient::IsAbortRequested() const
+MedialVoxelEngineClient::IsAborted() const
 {
   return false;
 }

@@ -10,10 +10,10 @@ namespace itk
 {
 
 void
-MedialVoxelExtraction::AddObserver(MedialVoxelTileObserver & observer)
+MedialVoxelSheetExtraction::AddObserver(MedialVoxelTileObserver & observer)
 {
   observers.push_back(&observer);
-  observerBytesPerVoxel += observer.GetWorkerBytesPerVoxel();
+  observerBytesPerVoxel += observer.GetBytesPerVoxel();
   isObserved = true;
 }
 

@@ -40,8 +40,8 @@ MedialVoxelExecution::MedialVoxelExecution(const MedialVoxelBox &      region,
 MedialVoxelSums
 MedialVoxelExecution::Run(const MedialVoxelBox & nextRegion)
 {
-  const MedialVoxelPollScope scope(*this);
-  this->HearAbort();
+  const MedialVoxelProgressScope scope(*this);
+  this->CheckClient();
   m_Task.Begin();
   try
   {
@@ -87,16 +87,16 @@ MedialVoxelExecution::RunSchedule(MedialVoxelSlabSchedule & schedule)
     std::rethrow_exception(m_Failure);
   }
   // Other workers may have done all of a short run meanwhile.
-  this->Beat();
-  MedialVoxelPoll();
+  this->UpdateObservers();
+  MedialVoxelCheckAbort();
 }
 
 void
 MedialVoxelExecution::DoWork()
 {
-  const MedialVoxelPollScope scope(*this);
+  const MedialVoxelProgressScope scope(*this);
   ++m_NumberOfBusyWorkers;
-  this->StopAllWhenFailing([this] {
+  this->AbortOnFailure([this] {
     for (Work work; this->WaitForWork(work);)
     {
       this->Do(work);
@@ -109,7 +109,7 @@ MedialVoxelExecution::DoWork()
   m_HasNews.notify_all();
   if (this->IsCallingThread())
   {
-    this->StopAllWhenFailing([this] { this->WaitForWorkers(); });
+    this->AbortOnFailure([this] { this->WaitForWorkers(); });
   }
 }
 
@@ -141,7 +141,7 @@ MedialVoxelExecution::WaitForWork(Work & work)
   return false;
 }
 
-/** The calling thread gives signs of life meanwhile. Not of work that stops, whose observer may have thrown. */
+/** The calling thread updates observers meanwhile, unless the run is aborted: an observer may have thrown. */
 void
 MedialVoxelExecution::WaitForNews(std::unique_lock<std::mutex> & lock)
 {
@@ -152,12 +152,12 @@ MedialVoxelExecution::WaitForNews(std::unique_lock<std::mutex> & lock)
   if (this->IsCallingThread() && !this->IsAborted())
   {
     lock.unlock();
-    this->Beat();
+    this->UpdateObservers();
     lock.lock();
   }
 }
 
-/** Those that have not begun yet will find no work. */
+/** Workers that have not begun will find no work. */
 void
 MedialVoxelExecution::WaitForWorkers()
 {
@@ -192,7 +192,7 @@ MedialVoxelExecution::Do(const Work & work)
 
 template <typename TFunction>
 void
-MedialVoxelExecution::StopAllWhenFailing(TFunction && function)
+MedialVoxelExecution::AbortOnFailure(TFunction && function)
 {
   try
   {
@@ -203,7 +203,7 @@ MedialVoxelExecution::StopAllWhenFailing(TFunction && function)
     const std::lock_guard<std::mutex> lock(m_Mutex);
     if (!m_Failure)
     {
-      // In this order, as those that stop for it are no failure of their own.
+      // Store the failure before the flag: threads that end because of the flag must not overwrite it.
       m_Failure = std::current_exception();
       m_IsAborted = true;
     }
@@ -255,24 +255,24 @@ void
 MedialVoxelExecution::Advance(const std::uint64_t voxels)
 {
   m_DoneVoxels += voxels;
-  this->Beat();
+  this->UpdateObservers();
 }
 
-/** Observers of the client are called from the thread of the run, as those of Python and of user interfaces must be. */
+/** Python and user interfaces need their observers called from the thread of the run. */
 void
-MedialVoxelExecution::Beat()
+MedialVoxelExecution::UpdateObservers()
 {
   if (this->IsCallingThread())
   {
     m_Client.UpdateProgress(static_cast<float>(m_DoneVoxels) / static_cast<float>(m_Region.NumberOfVoxels()));
-    this->HearAbort();
+    this->CheckClient();
   }
 }
 
 void
-MedialVoxelExecution::HearAbort()
+MedialVoxelExecution::CheckClient()
 {
-  if (m_Client.IsAbortRequested())
+  if (m_Client.IsAborted())
   {
     m_IsAborted = true;
   }

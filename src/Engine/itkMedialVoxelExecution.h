@@ -28,8 +28,8 @@ class MedialVoxelExecution
   , public MedialVoxelProgress
 {
 public:
-  /** The thread that calls this is the only one in which the client hears of progress. \a workspaces outlive the run;
-   * they are kept for the next region, if there is one. */
+  /** Only the thread that calls this reports progress to the client. \a workspaces outlive the run; they are kept for
+   * the next region, if there is one. */
   MedialVoxelExecution(const MedialVoxelBox &      region,
                        const MedialVoxelTileTask & task,
                        MedialVoxelSlabWalker &     walker,
@@ -54,7 +54,7 @@ public:
   Advance(std::uint64_t voxels) override;
 
   void
-  Beat() override;
+  UpdateObservers() override;
 
   [[noreturn]] void
   ThrowAborted() const override;
@@ -69,15 +69,15 @@ private:
     return std::this_thread::get_id() == m_CallingThread;
   }
 
-  /** Workers read a copy of what only the calling thread may ask the client. */
+  /** Only the calling thread may ask the client for an abort; workers read its copy. */
   void
-  HearAbort();
+  CheckClient();
 
-  /** What each worker does: take work until all is done. */
+  /** The loop of each worker: take work until all is done. */
   void
   DoWork();
 
-  /** Wait until there is work to take; false when there is none for this thread, or the run stops. */
+  /** Wait until there is work to take; false when there is none for this thread, or the run is aborted. */
   bool
   WaitForWork(Work & work);
 
@@ -92,7 +92,7 @@ private:
 
   template <typename TFunction>
   void
-  StopAllWhenFailing(TFunction && function);
+  AbortOnFailure(TFunction && function);
 
   /** The client takes the result, unless the tile depends on more than the window holds. */
   void
@@ -110,9 +110,9 @@ private:
   std::atomic<std::uint64_t>  m_DoneVoxels{ 0 };
   std::atomic<bool>           m_IsAborted{ false };
   std::atomic<std::uint32_t>  m_NumberOfBusyWorkers{ 0 };
-  std::mutex                  m_Mutex; // of all that follows
+  std::mutex                  m_Mutex; // of the members below
   std::condition_variable     m_HasNews;
-  bool                        m_LacksWorkers{ false }; // some have left for want of work
+  bool                        m_LacksWorkers{ false }; // some have left for lack of work
   std::size_t                 m_NumberOfWaitingWorkers{ 0 };
   MedialVoxelSlabSchedule *   m_Schedule{ nullptr };
   std::exception_ptr          m_Failure;

@@ -36,8 +36,8 @@ struct MedialVoxelExtractionTask::TileWorkspace : public Workspace
   std::vector<std::unique_ptr<MedialVoxelTileObserver::Workspace>> observers;
 };
 
-MedialVoxelExtractionTask::MedialVoxelExtractionTask(const MedialVoxelGrid &       grid,
-                                                     const MedialVoxelExtraction & settings)
+MedialVoxelExtractionTask::MedialVoxelExtractionTask(const MedialVoxelGrid &            grid,
+                                                     const MedialVoxelSheetExtraction & settings)
   : m_Settings(settings)
   , m_Transform(grid)
   , m_Classifier(grid, settings.parameters)
@@ -110,7 +110,8 @@ MedialVoxelExtractionTask::Extract(const MedialVoxelBox &          box,
 {
   auto & workspace = static_cast<TileWorkspace &>(genericWorkspace);
   Tile   tile{ box, moving, moving.GetWindow(MedialVoxelBoundary::Background), progress, workspace };
-  // Objects of the neighboring tiles may have their boundary in a tile without object, which most of a thin part are.
+  // Objects of neighboring tiles may have their boundary in a tile without object. Most tiles of a thin part have no
+  // object.
   sums.counts.boundaryVoxels = tile.window.sites->Count(box);
   if (!tile.window.object->Any(m_Classifier.GetCornerBox(box)))
   {
@@ -180,7 +181,7 @@ MedialVoxelExtractionTask::FindNearest(const Tile & tile) const
   return missing;
 }
 
-/** At all medial cells when their thickness is wanted, otherwise at those that an observer selects. */
+/** At all medial cells when their thickness is wanted, otherwise at cells that an observer selects. */
 MedialVoxelBox
 MedialVoxelExtractionTask::MeasureWalls(const Tile & tile) const
 {
@@ -212,7 +213,7 @@ MedialVoxelExtractionTask::MeasureWalls(const Tile & tile) const
                          : MedialVoxelBox{};
 }
 
-/** To no observer before all of them know what they need to. */
+/** Observers run only after the examination of all is complete. */
 MedialVoxelBox
 MedialVoxelExtractionTask::Show(const Tile & tile) const
 {

@@ -20,7 +20,7 @@ namespace itk
 class MedialVoxel_EXPORT MedialVoxelExtractionTask : public MedialVoxelTileTask
 {
 public:
-  MedialVoxelExtractionTask(const MedialVoxelGrid & grid, const MedialVoxelExtraction & settings);
+  MedialVoxelExtractionTask(const MedialVoxelGrid & grid, const MedialVoxelSheetExtraction & settings);
 
   std::unique_ptr<Workspace>
   MakeWorkspace() const override;
@@ -39,7 +39,7 @@ public:
           MedialVoxelEngineClient &       client,
           MedialVoxelSums &               sums) const override;
 
-  /** What Process() does before it gives the result of a tile to a client.
+  /** The part of Process() before a client takes the result of a tile.
    *
    * \param workspace  of MakeWorkspace(); \a result refers to it
    * \param result     complete when its box is not empty; as it was when the run is aborted */
@@ -54,7 +54,7 @@ public:
 private:
   struct TileWorkspace;
 
-  /** What the steps of a tile share. */
+  /** Shared by the steps of a tile. */
   struct Tile
   {
     const MedialVoxelBox &          box;
@@ -88,7 +88,7 @@ private:
     return m_Settings.vectorBoundary == MedialVoxelBoundary::Object;
   }
 
-  MedialVoxelExtraction                   m_Settings;
+  MedialVoxelSheetExtraction              m_Settings;
   MedialVoxelFeatureTransform             m_Transform;
   MedialVoxelClassifier                   m_Classifier;
   MedialVoxelThickness                    m_Thickness;

@@ -13,7 +13,7 @@ namespace itk
 {
 
 /** \class MedialVoxelFilterAccess
- * \brief What tests reach of a filter, and users do not need: the division of its work, its tiles and all sums.
+ * \brief Gives tests the parts of a filter that users do not need: the division of its work, its tiles and all sums.
  * \ingroup MedialVoxel
  */
 class MedialVoxelFilterAccess

@@ -46,7 +46,7 @@ MedialVoxelLengthTask::GetBytes(const MedialVoxelGrid & grid, const MedialVoxelI
 {
   return MedialVoxelLengthRow::HasExactLengths(grid.GetMetricUnit())
            ? 0
-           : MedialVoxelFeatureTransform::GetWorkspaceBytes(grid, { { 1, 1, 1 } }, searchedSize);
+           : MedialVoxelFeatureTransform::GetBytes(grid, { { 1, 1, 1 } }, searchedSize);
 }
 
 MedialVoxelLengthTask::MedialVoxelLengthTask(const MedialVoxelGrid & grid, const MedialVoxelDistanceMap & settings)
@@ -92,7 +92,7 @@ MedialVoxelLengthTask::Process(const MedialVoxelBox &          tile,
   return {};
 }
 
-/** Give the voxels whose lengths are doubtful once more, with their boundary voxels. */
+/** Write voxels of doubtful length again, by their boundary voxels. */
 void
 MedialVoxelLengthTask::TakeDoubtful(const MedialVoxelBox &          tile,
                                     const MedialVoxelMovingWindow & window,
@@ -113,7 +113,7 @@ MedialVoxelLengthTask::TakeDoubtful(const MedialVoxelBox &          tile,
         result.box = row;
         result.box.lower[0] += i;
         result.box.upper[0] = result.box.lower[0] + 1;
-        // What makes the length final does the same for the displacement.
+        // A window that makes the length final makes the displacement final too.
         m_Features.Compute(window.GetWindow(m_Boundary), result.box, workspace.search, workspace.features);
         client.TakeTile(result);
       }

@@ -14,17 +14,17 @@ namespace itk
 {
 
 /** \class MedialVoxelLengthTask
- * \brief Finds how far the nearest boundary voxels of the voxels of a tile are, but not where.
+ * \brief Finds the distances to the nearest boundary voxels in a tile, without their places.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelLengthTask : public MedialVoxelTileTask
 {
 public:
-  /** Whether this task does all that is asked for, with the bits that MedialVoxelDistanceTask would give. */
+  /** Whether this task gives all requested results, bit for bit as MedialVoxelDistanceTask would. */
   static bool
   CanDo(const MedialVoxelGrid & grid, const MedialVoxelDistanceMap & settings);
 
-  /** Bytes of a worker beside those of the distance transform, for boxes of searched voxels of this size. */
+  /** Bytes of a worker, beside the distance transform, for boxes of searched voxels of this size. */
   static std::uint64_t
   GetBytes(const MedialVoxelGrid & grid, const MedialVoxelIndex & searchedSize);
 

@@ -124,12 +124,12 @@ MedialVoxelMovingWindow::VisitBits(TWindow & window, TVisitor && visit)
   }
 }
 
-/** Of a list of a component, and of the voxels that have changed, which are few as a rule. */
+/** Of the list of a component, and of the changed voxels, which are few. */
 std::uint64_t
 MedialVoxelMovingWindow::GetBytesOfChanges(const MedialVoxelBox & sites) const
 {
   const MedialVoxelBox box = this->GetInputBox(sites);
-  return m_SmallComponents.IsOn() ? m_SmallComponents.GetWorkspaceBytes(box) + MedialVoxelSparseBits::GetBytes(box) : 0;
+  return m_SmallComponents.IsOn() ? m_SmallComponents.GetBytes(box) + MedialVoxelSparseBits::GetBytes(box) : 0;
 }
 
 std::uint64_t
@@ -143,10 +143,10 @@ MedialVoxelMovingWindow::GetBytes(const MedialVoxelBox & sites) const
 }
 
 std::uint64_t
-MedialVoxelMovingWindow::GetBytesToMove(const MedialVoxelBox & sites, const MedialVoxelBox & room) const
+MedialVoxelMovingWindow::GetBytesToReframe(const MedialVoxelBox & sites, const MedialVoxelBox & largestSites) const
 {
   std::uint64_t bytes = this->GetBytesOfChanges(sites) + m_Changed.GetReservedBytes();
-  bytes += m_KeepsGray ? m_Gray.GetBytesToReframe(this->GetObjectBox(sites), this->GetObjectBox(room)) : 0;
+  bytes += m_KeepsGray ? m_Gray.GetBytesToReframe(this->GetObjectBox(sites), this->GetObjectBox(largestSites)) : 0;
   std::uint64_t copy = 0; // of one after the other
   VisitBits(*this, [&](const MedialVoxelBits & bits, const auto & boxOf) {
     const std::uint64_t old = bits.GetReservedBytes();
@@ -156,7 +156,7 @@ MedialVoxelMovingWindow::GetBytesToMove(const MedialVoxelBox & sites, const Medi
       return;
     }
     const std::uint64_t taken =
-      std::max(MedialVoxelBits::GetBytes(boxOf(sites)), MedialVoxelBits::GetBytes(boxOf(room)));
+      std::max(MedialVoxelBits::GetBytes(boxOf(sites)), MedialVoxelBits::GetBytes(boxOf(largestSites)));
     bytes += std::max(old, taken);
     copy = std::max(copy, std::min(old, taken));
   });
@@ -164,12 +164,12 @@ MedialVoxelMovingWindow::GetBytesToMove(const MedialVoxelBox & sites, const Medi
 }
 
 std::uint64_t
-MedialVoxelMovingWindow::GetBytesToCopy(const MedialVoxelBox & sites, const MedialVoxelBox & room) const
+MedialVoxelMovingWindow::GetBytesToFrame(const MedialVoxelBox & sites, const MedialVoxelBox & largestSites) const
 {
   std::uint64_t bytes = this->GetBytesOfChanges(sites);
-  bytes += m_KeepsGray ? m_Gray.GetBytesToFrame(this->GetObjectBox(sites), this->GetObjectBox(room)) : 0;
+  bytes += m_KeepsGray ? m_Gray.GetBytesToFrame(this->GetObjectBox(sites), this->GetObjectBox(largestSites)) : 0;
   VisitBits(*this, [&](const MedialVoxelBits & bits, const auto & boxOf) {
-    bytes += bits.GetBytesToFrame(boxOf(sites), boxOf(room));
+    bytes += bits.GetBytesToFrame(boxOf(sites), boxOf(largestSites));
   });
   return bytes;
 }
@@ -196,10 +196,10 @@ MedialVoxelMovingWindow::Clear()
 
 void
 MedialVoxelMovingWindow::MoveTo(const MedialVoxelBox &    sites,
-                                const MedialVoxelBox &    room,
+                                const MedialVoxelBox &    largestSites,
                                 MedialVoxelObjectSource & source)
 {
-  this->BeginMove(sites, room, nullptr);
+  this->BeginMove(sites, largestSites, nullptr);
   for (const MedialVoxelBox & part : this->CutToFill(1, 1))
   {
     this->Fill(part, source);
@@ -213,7 +213,7 @@ MedialVoxelMovingWindow::MoveTo(const MedialVoxelBox &    sites,
 
 void
 MedialVoxelMovingWindow::BeginMove(const MedialVoxelBox &                sites,
-                                   const MedialVoxelBox &                room,
+                                   const MedialVoxelBox &                largestSites,
                                    const MedialVoxelMovingWindow * const donor)
 {
   const MedialVoxelMovingWindow & known = donor != nullptr ? *donor : *this;
@@ -223,20 +223,20 @@ MedialVoxelMovingWindow::BeginMove(const MedialVoxelBox &                sites,
   VisitBits(*this, [&](MedialVoxelBits & bits, const auto & boxOf) {
     if (donor != nullptr)
     {
-      bits.Frame(boxOf(sites), boxOf(room));
+      bits.Frame(boxOf(sites), boxOf(largestSites));
     }
     else
     {
-      bits.Reframe(boxOf(sites), boxOf(room));
+      bits.Reframe(boxOf(sites), boxOf(largestSites));
     }
   });
   if (m_KeepsGray && donor != nullptr)
   {
-    m_Gray.Frame(this->GetObjectBox(sites), this->GetObjectBox(room));
+    m_Gray.Frame(this->GetObjectBox(sites), this->GetObjectBox(largestSites));
   }
   else if (m_KeepsGray)
   {
-    m_Gray.Reframe(this->GetObjectBox(sites), this->GetObjectBox(room));
+    m_Gray.Reframe(this->GetObjectBox(sites), this->GetObjectBox(largestSites));
   }
 }
 

@@ -16,7 +16,7 @@
 namespace itk
 {
 
-/** \brief Boxes that together hold what \a wanted has and \a present has not, each voxel once.
+/** \brief Boxes of the voxels of \a wanted that are not in \a present, each voxel once.
  *
  * Parts that differ along z come first, so that a slab grows by whole slices.
  * \ingroup MedialVoxel
@@ -27,30 +27,28 @@ MedialVoxel_EXPORT std::vector<MedialVoxelBox>
 /** \class MedialVoxelMovingWindow
  * \brief Object and boundary bits of a box that moves over the image.
  *
- * Bits that the old box and the new one share are kept, or copied from another window that has them, so that the source
- * is asked once for a voxel as long as the window does not return to it. A move is done in parts, by any number of
- * threads: begin, fill all parts, change small components, mark the boundary of all parts. When small components are
- * changed, the object bits reach farther than the rest, by the margin that this depends on; the source is asked for
- * values, which do not, on their own.
+ * Bits that the old and the new box share are kept, or copied from another window, so the source is asked once for a
+ * voxel as long as the window does not return to it. A move is done in parts, by any number of threads: begin, fill all
+ * parts, change small components, mark the boundary of all parts. Changing small components extends the object bits by
+ * a margin. Gray values are not extended by it; they are requested separately.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelMovingWindow
 {
 public:
-  /** \a kinds lists the boundaries that are kept; \a keepsNotANumber says whether voxels that are not a number are, and
-   * \a keepsGray whether the values of voxels are. Components of at most \a maximumPoreSize voxels change sides, as
-   * MedialVoxelSmallComponents tells. */
+  /** \a kinds lists the boundaries that are kept, \a keepsNotANumber keeps bits of NaN voxels, \a keepsGray keeps
+   * values. MedialVoxelSmallComponents of at most \a maximumPoreSize voxels change sides. */
   MedialVoxelMovingWindow(const MedialVoxelGrid &          grid,
                           std::vector<MedialVoxelBoundary> kinds,
                           bool                             keepsNotANumber = false,
                           bool                             keepsGray = false,
                           std::uint64_t                    maximumPoreSize = 0);
 
-  /** Voxels whose object bits are needed to know the boundaries in \a sites. */
+  /** Voxels whose object bits decide the boundaries in \a sites. */
   MedialVoxelBox
   GetObjectBox(const MedialVoxelBox & sites) const;
 
-  /** Voxels that the source is asked for to know the object bits that are needed in \a sites. */
+  /** Voxels of the source that decide the object bits for \a sites. */
   MedialVoxelBox
   GetInputBox(const MedialVoxelBox & sites) const;
 
@@ -58,15 +56,15 @@ public:
   std::uint64_t
   GetBytes(const MedialVoxelBox & sites) const;
 
-  /** Bytes of the window, at most, during and after a MoveTo() that keeps what it can of the old one. */
+  /** Largest memory of the window during and after a MoveTo() that keeps bits of the old position. */
   std::uint64_t
-  GetBytesToMove(const MedialVoxelBox & sites, const MedialVoxelBox & room) const;
+  GetBytesToReframe(const MedialVoxelBox & sites, const MedialVoxelBox & largestSites) const;
 
-  /** The same of a move that keeps what it can of another window. */
+  /** The same for a move that copies bits of another window. */
   std::uint64_t
-  GetBytesToCopy(const MedialVoxelBox & sites, const MedialVoxelBox & room) const;
+  GetBytesToFrame(const MedialVoxelBox & sites, const MedialVoxelBox & largestSites) const;
 
-  /** Bytes that the window has. */
+  /** Memory that the window has now. */
   std::uint64_t
   GetReservedBytes() const;
 
@@ -74,23 +72,23 @@ public:
   void
   Clear();
 
-  /** Move in one thread so that the boundaries are known in \a sites, a box inside the image. Memory that has to be
-   * taken for that suffices for sites as many as \a room has too. */
+  /** Move in one thread, to know the boundaries in \a sites, a box inside the image. New memory suffices for \a
+   * largestSites too. */
   void
-  MoveTo(const MedialVoxelBox & sites, const MedialVoxelBox & room, MedialVoxelObjectSource & source);
+  MoveTo(const MedialVoxelBox & sites, const MedialVoxelBox & largestSites, MedialVoxelObjectSource & source);
 
-  /** Begin to move. What \a donor has is copied from there, which stays as it is meanwhile; without one the window
-   * keeps what it has itself. */
+  /** Begin to move. Bits that \a donor has are copied; it must stay as it is meanwhile. Without a donor the window
+   * keeps its own bits. */
   void
-  BeginMove(const MedialVoxelBox & sites, const MedialVoxelBox & room, const MedialVoxelMovingWindow * donor);
+  BeginMove(const MedialVoxelBox & sites, const MedialVoxelBox & largestSites, const MedialVoxelMovingWindow * donor);
 
-  /** Parts of the window that the source fills, at most \a number and of whole slices, or of rows where there is one
-   * slice. Those that need nothing are left out.
+  /** Parts of the window that the source fills: at most \a number, of whole slices, or of rows where there is one
+   * slice. Parts that are known already do not count.
    * \param rows that belong together; more than 1: parts have rows of all slices and begin with a multiple of it */
   std::vector<MedialVoxelBox>
   CutToFill(std::int64_t number, std::int64_t rows) const;
 
-  /** Know the object bits of a part as the source has them. Several threads may do so for different parts. */
+  /** Fill the object bits of a part from the source. Several threads may fill different parts. */
   void
   Fill(const MedialVoxelBox & part, MedialVoxelObjectSource & source);
 
@@ -107,7 +105,7 @@ public:
   std::vector<MedialVoxelBox>
   CutToMark(std::int64_t number) const;
 
-  /** Mark the boundary in a part. Several threads may do so for different parts. */
+  /** Mark the boundary in a part. Several threads may mark different parts. */
   void
   Mark(const MedialVoxelBox & part);
 
@@ -115,8 +113,8 @@ public:
   MedialVoxelWindow
   GetWindow(MedialVoxelBoundary kind) const;
 
-  /** Object bits; final in GetObjectBox(), and around it as far as GetInputBox() as the source gave them, but for
-   * components that have changed. */
+  /** Object bits: final in GetObjectBox(); around it, up to GetInputBox(), as in the source except for changed
+   * components. */
   const MedialVoxelBits &
   GetObject() const
   {
@@ -157,7 +155,7 @@ private:
   static void
   VisitBits(TWindow & window, TVisitor && visit);
 
-  /** What is known when a move begins, of the window itself or of its donor. */
+  /** The known voxels when a move begins, of the window itself or of its donor. */
   struct Known
   {
     const MedialVoxelMovingWindow * donor{ nullptr };
@@ -166,11 +164,11 @@ private:
     MedialVoxelBox                  sites;
   };
 
-  /** Bytes, at most, of what changes small components in a window on \a sites. */
+  /** Largest memory to change small components in a window on \a sites. */
   std::uint64_t
   GetBytesOfChanges(const MedialVoxelBox & sites) const;
 
-  /** Copy what the donor has of the rows of a part. */
+  /** Copy rows of a part from the donor. */
   void
   CopyRows(const MedialVoxelBox & part);
 
@@ -180,7 +178,7 @@ private:
   bool                             m_KeepsGray;
   MedialVoxelSmallComponents       m_SmallComponents;
   MedialVoxelBits                  m_Object;
-  MedialVoxelSparseBits            m_Changed; // voxels that are no longer what the source gave; empty if none can be
+  MedialVoxelSparseBits            m_Changed; // voxels that differ from the source; empty if none can
   MedialVoxelBox                   m_FinalBox;
   MedialVoxelBits                  m_NotANumber;
   MedialVoxelGray                  m_Gray;

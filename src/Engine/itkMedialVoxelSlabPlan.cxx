@@ -16,7 +16,7 @@ namespace itk
 namespace
 {
 
-/** Tiles of a slab, of all of it and for each thread, below which threads would wait for each other. */
+/** Fewest tiles of a slab, in total and for each thread; with fewer, threads would wait for each other. */
 constexpr std::int64_t EnoughTiles = 64;
 constexpr std::int64_t EnoughTilesOfWorker = 4;
 
@@ -38,7 +38,7 @@ constexpr std::int64_t WideTileSlices = 16;
 constexpr unsigned int ManyWorkers = 8;
 constexpr unsigned int VeryManyWorkers = 32;
 
-/** Voxels of tiles of whole rows, when they are for several workers and for a single one, and their slices. */
+/** Voxels of tiles of whole rows, for several workers and for a single one, and their slices. */
 constexpr std::int64_t VoxelsOfTiles = std::int64_t{ 1 } << 20;
 constexpr std::int64_t VoxelsOfOnlyTile = 4 * VoxelsOfTiles;
 constexpr std::int64_t SlicesOfRows = 16;
@@ -49,8 +49,7 @@ CeilingDivide(const std::int64_t value, const std::int64_t divisor)
   return (value + divisor - 1) / divisor;
 }
 
-/** Tiles of thick parts: all of the rows, or as much as is useful, as each slice of a tile is searched from what lies
- * in its plane, and the work of the halo around it is repeated. */
+/** Tiles of thick parts: as much of the rows as is useful, because each tile repeats the search of its halo. */
 MedialVoxelIndex
 WideTile(const std::int64_t columns, const unsigned int numberOfWorkers)
 {
@@ -63,7 +62,7 @@ WideTile(const std::int64_t columns, const unsigned int numberOfWorkers)
   return { { std::max(width, NarrowTile), std::clamp(edge, SmallestTileEdge, LargestWideEdge), slices } };
 }
 
-/** Tiles of whole rows, as what lies beside a tile is searched again for each; of nearly equal size. */
+/** Tiles of whole rows and of nearly equal size, because each tile searches the voxels beside it again. */
 MedialVoxelIndex
 TileOfRows(const MedialVoxelBox & region, const unsigned int numberOfWorkers)
 {
@@ -138,10 +137,9 @@ MedialVoxelSlabPlan::Settings::ForClassification(const MedialVoxelGrid &       g
   {
     settings.halo[axis] += std::max(reach[axis], settings.tileMargin[axis]);
   }
-  settings.workerBytesPerVoxel = settings.boundaries.size() * MedialVoxelFeatures::BytesPerVoxel +
-                                 sizeof(std::uint8_t) +
-                                 MedialVoxelClassifier::GetWorkspaceBytesPerVoxel(grid, parameters);
-  settings.workerBytes = MedialVoxelClassifier::GetWorkspaceBytes(grid, parameters);
+  settings.bytesPerVoxel = settings.boundaries.size() * MedialVoxelFeatures::BytesPerVoxel + sizeof(std::uint8_t) +
+                           MedialVoxelClassifier::GetBytesPerVoxel(grid, parameters);
+  settings.bytesPerWorker = MedialVoxelClassifier::GetBytes(grid, parameters);
   return settings;
 }
 
@@ -150,7 +148,7 @@ MedialVoxelSlabPlan::Settings::ForDistances(const MedialVoxelBoundary boundary)
 {
   Settings settings;
   settings.boundaries = { boundary };
-  settings.workerBytesPerVoxel = MedialVoxelFeatures::BytesPerVoxel;
+  settings.bytesPerVoxel = MedialVoxelFeatures::BytesPerVoxel;
   return settings;
 }
 
@@ -200,8 +198,8 @@ MedialVoxelSlabPlan::PreferredCut(const MedialVoxelBox & region, const MedialVox
   }
   else if (m_Grid.IsActive(2))
   {
-    // Whole words along x. Features of thin parts fit the second-level cache; tiles of thick parts grow with their
-    // halo, as a tile repeats the work of the halo around it, and those with a margin all the more.
+    // Whole words along x. Features of thin parts fit the second-level cache; tiles of thick parts grow with their halo
+    // and margin, because a tile repeats the work of both.
     const std::int64_t smallest = m_Settings.tileMargin[1] > 0 ? 64 : SmallestTileEdge;
     const std::int64_t edge =
       std::clamp(std::max(halo[1], halo[2]) / SmallestTileEdge * SmallestTileEdge, smallest, LargestTileEdge);
@@ -224,7 +222,7 @@ MedialVoxelSlabPlan::PreferredCut(const MedialVoxelBox & region, const MedialVox
 bool
 MedialVoxelSlabPlan::MakeFiner(Cut & cut) const
 {
-  // Smaller tiles and thinner slabs both repeat more of the work of the halo, but only the tiles keep threads busy.
+  // Smaller tiles and thinner slabs both repeat more work of the halo, but only more tiles keep threads busy.
   std::int64_t & edge = cut.tileSize[1];
   if (m_Settings.tileSize <= 0 && m_SlowestAxis == 2 && edge > SmallestTileEdge)
   {
@@ -244,17 +242,17 @@ MedialVoxelSlabPlan::Cut
 MedialVoxelSlabPlan::ChooseCut(const MedialVoxelBox & region, const MedialVoxelIndex & halo) const
 {
   Cut cut = this->PreferredCut(region, halo);
-  while (!this->IsWithinLimit(this->BytesOf(this->LargestSitesBox(region, cut), cut)))
+  while (!this->IsWithinLimit(this->GetBytes(this->LargestSitesBox(region, cut), cut)))
   {
     if (this->MakeFiner(cut))
     {
       continue;
     }
-    // Bounds of distances are coarse, so that a smaller halo may suffice.
+    // Bounds of distances are coarse, so a smaller halo may suffice.
     const std::int64_t largest = *std::max_element(cut.halo.begin(), cut.halo.end());
     if (largest == 0)
     {
-      throw MedialVoxelMemoryShortage(this->BytesOf(this->LargestSitesBox(region, cut), cut), m_Settings.memoryLimit);
+      throw MedialVoxelMemoryShortage(this->GetBytes(this->LargestSitesBox(region, cut), cut), m_Settings.memoryLimit);
     }
     for (std::int64_t & voxels : cut.halo)
     {
@@ -344,8 +342,8 @@ MedialVoxelSlabPlan::BytesOfWorkers(const MedialVoxelBox & sites, const Cut & cu
   const std::uint64_t search =
     m_Settings.findsLengthsOnly
       ? MedialVoxelDistanceTransform::GetBytes(tile, searched) + MedialVoxelLengthTask::GetBytes(m_Grid, searched)
-      : MedialVoxelFeatureTransform::GetWorkspaceBytes(m_Grid, tile, searched);
-  const std::uint64_t worker = m_Settings.workerBytes + tileVoxels * m_Settings.workerBytesPerVoxel + search;
+      : MedialVoxelFeatureTransform::GetBytes(m_Grid, tile, searched);
+  const std::uint64_t worker = m_Settings.bytesPerWorker + tileVoxels * m_Settings.bytesPerVoxel + search;
   return m_Settings.numberOfWorkers * worker;
 }
 

@@ -23,14 +23,14 @@ MedialVoxel_EXPORT unsigned int
 MedialVoxelSlowestAxis(const MedialVoxelBox & box);
 
 /** \class MedialVoxelSlabPlan
- * \brief How a region is cut into slabs and tiles, and the memory that this takes.
+ * \brief The division of a region into slabs and tiles, and its memory.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelSlabPlan
 {
 public:
   /** \struct Settings
-   * \brief What is kept and how the work is cut; the cut has no influence on results.
+   * \brief The kept bits, and the cut of the work, which has no influence on results.
    * \ingroup MedialVoxel
    */
   struct Settings
@@ -45,7 +45,7 @@ public:
     /** Voxels around a tile that are known from the start. */
     MedialVoxelIndex halo{ { 8, 8, 8 } };
 
-    /** Voxels around the indices of a region, upwards, that belong to them. */
+    /** Voxels beyond the upper end of a region that belong to its indices. */
     MedialVoxelIndex upperMargin{ { 0, 0, 0 } };
 
     /** Voxels around a tile, within the halo, that are worked on together with it. */
@@ -54,8 +54,8 @@ public:
     /** Edge of the tiles; 0 chooses. */
     std::int64_t tileSize{ 0 };
 
-    /** Edge of the tiles along y and z that is chosen where memory allows it, for tasks that repeat much work around
-     * each; 0 for others. */
+    /** Preferred edge of the tiles along y and z, if memory allows it, for tasks that repeat much work around each
+     * tile; 0 for others. */
     std::int64_t preferredTileEdge{ 0 };
 
     /** Only lengths are searched, for which tiles are of whole rows. */
@@ -64,20 +64,20 @@ public:
     /** Extent of the slabs along the slowest axis; 0 chooses. */
     std::int64_t slabThickness{ 0 };
 
-    /** Bytes that the windows and the workspaces of all workers may take; 0 is without limit. Slabs become thinner, and
-     * tiles smaller, to keep it. */
+    /** Limit in bytes on windows and workspaces; 0 is without limit. Slabs become thinner and tiles smaller to keep
+     * it. */
     std::uint64_t memoryLimit{ 0 };
 
     /** Workers at the same time. */
     unsigned int numberOfWorkers{ 1 };
 
-    /** Prepare a second window for the next slab while the tiles of this one are processed, where the memory limit
-     * leaves room for it and there are several workers. */
+    /** Prepare a second window for the next slab while this one is processed, if there are several workers and enough
+     * memory. */
     bool readsAhead{ true };
 
-    /** Bytes of a worker, beside those of the distance transform: for each voxel of a tile, and for all of it. */
-    std::uint64_t workerBytesPerVoxel{ 0 };
-    std::uint64_t workerBytes{ 0 };
+    /** Bytes of a worker, beside the distance transform: for each voxel of a tile, and for the tile as a whole. */
+    std::uint64_t bytesPerVoxel{ 0 };
+    std::uint64_t bytesPerWorker{ 0 };
 
     /** For the classification, and for the nearest points of the object's border too if wanted. */
     static Settings
@@ -92,7 +92,7 @@ public:
     ForLengths(MedialVoxelBoundary boundary);
   };
 
-  /** How the work is cut: tiles, slabs of tiles, and what is known around a slab. */
+  /** How the work is cut: tiles, slabs of tiles, and the halo around a slab. */
   struct Cut
   {
     MedialVoxelIndex tileSize;
@@ -114,15 +114,15 @@ public:
     return m_SlowestAxis;
   }
 
-  /** An empty window that keeps what the settings say. */
+  /** An empty window, made by the settings. */
   MedialVoxelMovingWindow
   MakeWindow() const;
 
-  /** The coarsest cut of \a region that fits the memory with \a halo, or a smaller one; throws when there is none. */
+  /** The coarsest cut of \a region that fits the memory with \a halo or a smaller halo; throws when there is none. */
   Cut
   ChooseCut(const MedialVoxelBox & region, const MedialVoxelIndex & halo) const;
 
-  /** Workers that find work at the same time: no more than there are tiles. */
+  /** Workers that find work at the same time, at most one for each tile. */
   unsigned int
   CountWorkers(const MedialVoxelBox & region, const MedialVoxelIndex & halo) const;
 
@@ -140,13 +140,13 @@ public:
   MedialVoxelBox
   LargestSitesBox(const MedialVoxelBox & region, const Cut & cut) const;
 
-  /** \a halo, and that of \a slab in \a sites: what one slab needed the next one probably needs too. */
+  /** The larger of \a halo and the halo of \a slab in \a sites: the next slab probably needs it too. */
   MedialVoxelIndex
   WidenHalo(MedialVoxelIndex halo, const MedialVoxelBox & slab, const MedialVoxelBox & sites) const;
 
   /** Bytes of a window on \a sites. */
   std::uint64_t
-  BytesOfWindow(const MedialVoxelBox & sites) const
+  GetBytes(const MedialVoxelBox & sites) const
   {
     return m_Window.GetBytes(sites);
   }
@@ -157,9 +157,9 @@ public:
 
   /** Bytes of a window and all workers. */
   std::uint64_t
-  BytesOf(const MedialVoxelBox & sites, const Cut & cut) const
+  GetBytes(const MedialVoxelBox & sites, const Cut & cut) const
   {
-    return this->BytesOfWindow(sites) + this->BytesOfWorkers(sites, cut);
+    return this->GetBytes(sites) + this->BytesOfWorkers(sites, cut);
   }
 
   bool

@@ -15,13 +15,13 @@ namespace itk
 namespace
 {
 
-/** Of more tiles in a slab the longest ones make no difference at its end. */
+/** With more tiles in a slab, its longest ones do not matter at its end. */
 constexpr std::size_t MostSortedTiles = 4096;
 
 /** Parts of a window for each worker, so that no worker waits long for the last part of another one. */
 constexpr std::int64_t PartsPerWorker = 4;
 
-/** Workers from which a window that has to grow is copied by all of them: fewer gain less than its memory costs. */
+/** From so many workers on, all of them copy a growing window; fewer gain less than its memory costs. */
 constexpr unsigned int ManyWorkers = 4;
 
 bool
@@ -95,7 +95,7 @@ MedialVoxelSlabSchedule::HasWork(const bool isCallingThread) const
   });
 }
 
-/** While there are tiles, half of the threads do without the device that voxels come from. */
+/** While there are tiles, half of the threads do not read voxels. */
 bool
 MedialVoxelSlabSchedule::MayTake(const Slab & slab, const bool isCallingThread) const
 {
@@ -122,7 +122,7 @@ MedialVoxelSlabSchedule::HasTiles() const
   });
 }
 
-/** Prepare slabs again whose windows are too small by what other slabs needed meanwhile. */
+/** Prepare slabs again whose windows are too small now that the halo has grown. */
 void
 MedialVoxelSlabSchedule::RenewSlabs()
 {
@@ -267,7 +267,7 @@ MedialVoxelSlabSchedule::MakeSlab(const MedialVoxelBox &              region,
   slab.box = m_Plan.GetSlab(region, position, slab.cut.slabThickness);
   slab.sites = m_Plan.GetSitesBox(slab.box, slab.cut.halo);
   // Slabs at the ends of the region and of the image have less around them than others.
-  slab.room = m_Plan.LargestSitesBox(region, slab.cut);
+  slab.largestSites = m_Plan.LargestSitesBox(region, slab.cut);
   for (const MedialVoxelBox & part : parts)
   {
     slab.parts.push_back(part.Intersection(slab.box));
@@ -280,7 +280,7 @@ auto
 MedialVoxelSlabSchedule::GrowDeferred(Pending & pending) const -> std::optional<Slab>
 {
   const Slab &        slab = *pending.deferred;
-  const std::uint64_t bytes = m_Plan.BytesOf(slab.sites, slab.cut);
+  const std::uint64_t bytes = m_Plan.GetBytes(slab.sites, slab.cut);
   if (m_Plan.IsWithinLimit(bytes))
   {
     return slab;
@@ -318,7 +318,7 @@ MedialVoxelSlabSchedule::MoveWindow(Slab & slab)
   const std::size_t    nearest = MedialVoxelFindNearestWindow(windows, input);
   const std::size_t    free = m_Slabs.empty() ? 1 - nearest : 1 - m_Slabs.front().window;
   const bool           isInPlace = windows[nearest].GetObject().GetBox() == input;
-  // Copies and clears are parts of the work of all threads; what is kept in place is moved by one.
+  // All threads copy and clear; one thread moves the bits that are kept in place.
   if (this->ReadsAhead() && !isInPlace && free != nearest && this->TryWindow(slab, free, true))
   {
     return true;
@@ -342,25 +342,25 @@ MedialVoxelSlabSchedule::MoveWindow(Slab & slab)
   if (!this->TryWindow(slab, slab.window, hasNothing))
   {
     windows[slab.window].Clear();
-    windows[slab.window].BeginMove(slab.sites, slab.room, nullptr);
+    windows[slab.window].BeginMove(slab.sites, slab.largestSites, nullptr);
   }
   return true;
 }
 
-/** What the other window has is copied, or what this one has is kept. */
+/** The window copies the bits of the other one, or keeps its own. */
 bool
 MedialVoxelSlabSchedule::TryWindow(Slab & slab, const std::size_t number, const bool copies)
 {
   MedialVoxelMovingWindow & window = m_State.windows[number];
   MedialVoxelMovingWindow & other = m_State.windows[1 - number];
-  const std::uint64_t       moved =
-    copies ? window.GetBytesToCopy(slab.sites, slab.room) : window.GetBytesToMove(slab.sites, slab.room);
+  const std::uint64_t       moved = copies ? window.GetBytesToFrame(slab.sites, slab.largestSites)
+                                           : window.GetBytesToReframe(slab.sites, slab.largestSites);
   if (!this->IsWithinLimit(slab, moved + other.GetReservedBytes()))
   {
     return false;
   }
   slab.window = number;
-  window.BeginMove(slab.sites, slab.room, copies ? &other : nullptr);
+  window.BeginMove(slab.sites, slab.largestSites, copies ? &other : nullptr);
   return true;
 }
 
@@ -368,14 +368,14 @@ bool
 MedialVoxelSlabSchedule::TryNewWindow(Slab & slab, const std::size_t number)
 {
   Windows &           windows = m_State.windows;
-  const std::uint64_t moved = m_State.old.GetBytesToCopy(slab.sites, slab.room);
+  const std::uint64_t moved = m_State.old.GetBytesToFrame(slab.sites, slab.largestSites);
   if (!this->IsWithinLimit(slab, moved + windows[0].GetReservedBytes() + windows[1].GetReservedBytes()))
   {
     return false;
   }
   slab.window = number;
   std::swap(windows[number], m_State.old);
-  windows[number].BeginMove(slab.sites, slab.room, &m_State.old);
+  windows[number].BeginMove(slab.sites, slab.largestSites, &m_State.old);
   return true;
 }
 
@@ -390,11 +390,11 @@ MedialVoxelSlabSchedule::IsWithinLimit(const Slab & slab, const std::uint64_t by
   return m_Plan.IsWithinLimit(bytesOfWindows + workers);
 }
 
-/** What they have grown for one slab they keep for others of the region. */
+/** Workspaces stay as large as one slab of the region made them. */
 std::uint64_t
 MedialVoxelSlabSchedule::BytesOfWorkers(const Slab & slab) const
 {
-  return std::max(m_Plan.BytesOfWorkers(slab.sites, slab.cut), m_Plan.BytesOfWorkers(slab.room, slab.cut));
+  return std::max(m_Plan.BytesOfWorkers(slab.sites, slab.cut), m_Plan.BytesOfWorkers(slab.largestSites, slab.cut));
 }
 
 std::uint64_t
@@ -403,7 +403,7 @@ MedialVoxelSlabSchedule::FindLayout(const Slab & slab)
   Layout layout{ slab.cut.tileSize, {} };
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    layout[1][axis] = std::max(slab.room.Extent(axis), slab.sites.Extent(axis));
+    layout[1][axis] = std::max(slab.largestSites.Extent(axis), slab.sites.Extent(axis));
   }
   if (layout != m_State.lastLayout)
   {

@@ -22,11 +22,10 @@ namespace itk
  *
  * A slab goes through phases: the parts of its window are filled and get their boundary, then its tiles are processed.
  * Work of a phase may be done in any order and at the same time. While one slab has its tiles, the window of the next
- * one is prepared, and its tiles begin as soon as the first slab has no more of them to hand out. Tiles that turn out
- * to depend on more than their window holds are deferred and say how much more; they follow as a slab of their own.
+ * one is prepared, and its tiles begin as soon as the first slab has no more of them to hand out. Tiles that depend on
+ * more than their window holds are deferred with the sites they need; they follow as a slab of their own.
  *
- * It knows neither threads nor clocks: the caller sees to it that one thread at a time calls it, but for
- * DoWindowWork().
+ * It knows neither threads nor clocks. One thread at a time may call it, except for DoWindowWork().
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelSlabSchedule
@@ -37,7 +36,7 @@ public:
   /** Size of a tile and of the sites around a slab, on which the memory of a worker depends. */
   using Layout = std::array<MedialVoxelIndex, 2>;
 
-  /** What one region leaves for the next one. */
+  /** The windows that one region leaves for the next one. */
   struct State
   {
     Windows                 windows;
@@ -48,7 +47,7 @@ public:
     std::uint64_t           numberOfLayouts{ 0 }; ///< that followed each other
   };
 
-  /** What is done with a slab, one after the other. */
+  /** The phases of a slab, in order. */
   enum class Phase : std::uint8_t
   {
     Fill,                  ///< know the object bits of a part of the window
@@ -100,11 +99,11 @@ public:
     return m_State.windows[work.window];
   }
 
-  /** Put a tile off until the sites in \a needed are known; to be completed all the same. */
+  /** Defer a tile until the sites in \a needed are known; Complete() follows all the same. */
   void
   Defer(const Work & work, const MedialVoxelBox & needed);
 
-  /** Tell that work is done, and how long it took. */
+  /** Call when work is done, with the time it took. */
   void
   Complete(const Work & work, double seconds);
 
@@ -126,9 +125,9 @@ private:
     MedialVoxelBox              box;
     Cut                         cut;
     MedialVoxelBox              sites;
-    MedialVoxelBox              room;  // as large as sites of the same region can be
-    std::vector<MedialVoxelBox> parts; // that are to be processed
-    std::vector<MedialVoxelBox> tiles; // of the parts, until they wait
+    MedialVoxelBox              largestSites; // as large as sites of the same region can be
+    std::vector<MedialVoxelBox> parts;        // that are to be processed
+    std::vector<MedialVoxelBox> tiles;        // of the parts, until they wait
     std::size_t                 numberOfTiles{ 0 };
     bool                        wasDeferred{ false };
     std::uint64_t               number{ 0 };
@@ -168,7 +167,7 @@ private:
   Slab
   MakeSlab(const MedialVoxelBox & region, const std::vector<MedialVoxelBox> & parts, std::int64_t position) const;
 
-  /** Tell that the slab that comes next has begun. */
+  /** Count that the next slab has begun. */
   void
   DropNext(const Slab & slab);
 
@@ -180,7 +179,7 @@ private:
   bool
   TryWindow(Slab & slab, std::size_t number, bool copies);
 
-  /** Begin to copy what a window has to a new one, which all threads do; false when the memory does not suffice. */
+  /** Begin to copy a window to a new one, by all threads; false when the memory does not suffice. */
   bool
   TryNewWindow(Slab & slab, std::size_t number);
 

@@ -19,10 +19,10 @@ MedialVoxelSlabWalker::GetBytes(const MedialVoxelBox & region) const
 {
   const auto           cut = m_Plan.ChooseCut(region, m_State.halo);
   const MedialVoxelBox sites = m_Plan.LargestSitesBox(region, cut);
-  const std::uint64_t  bytes = m_Plan.BytesOf(sites, cut);
+  const std::uint64_t  bytes = m_Plan.GetBytes(sites, cut);
   const bool           isOneSlab = cut.slabThickness >= region.Extent(m_Plan.GetSlowestAxis());
   const auto &         settings = m_Plan.GetSettings();
-  const std::uint64_t  withSecond = bytes + m_Plan.BytesOfWindow(sites);
+  const std::uint64_t  withSecond = bytes + m_Plan.GetBytes(sites);
   const bool           readsAhead = settings.readsAhead && settings.numberOfWorkers > 1 && !isOneSlab;
   return readsAhead && m_Plan.IsWithinLimit(withSecond) ? withSecond : bytes;
 }
@@ -61,7 +61,7 @@ MedialVoxelSlabWalker::Run(const MedialVoxelBox &      region,
   }
   catch (...)
   {
-    // What a window holds after an unfinished move is not known.
+    // After an unfinished move, the content of a window is unknown.
     for (MedialVoxelMovingWindow & window : m_State.windows)
     {
       window.Clear();

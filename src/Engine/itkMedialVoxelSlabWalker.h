@@ -21,17 +21,17 @@ class MedialVoxel_EXPORT MedialVoxelScheduleRunner
 public:
   virtual ~MedialVoxelScheduleRunner();
 
-  /** Do all work of \a schedule with any number of threads. Throws to stop. */
+  /** Do all work of \a schedule with any number of threads. Throws to abort. */
   virtual void
   RunSchedule(MedialVoxelSlabSchedule & schedule) = 0;
 };
 
 /** \class MedialVoxelSlabWalker
- * \brief Walks a region slab by slab, each with a window that is certain to hold what its tiles depend on.
+ * \brief Walks a region slab by slab, each with a window of all voxels that its tiles depend on.
  *
  * Two windows take turns: while tiles are processed in one, the other is prepared for the next slab, also for the first
- * one of the next region. What a tile computes depends on the image alone, so neither the slabs nor the tiles nor the
- * threads can change a result.
+ * one of the next region. Results of a tile depend on the image alone, so neither slabs nor tiles nor threads can
+ * change them.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelSlabWalker
@@ -55,14 +55,14 @@ public:
 
   /** Process all of \a region, and prepare a window for \a nextRegion, which may be empty; windows are kept for the
    * next call.
-   * \throw MedialVoxelMemoryShortage when the memory limit does not hold what a slab of one voxel depends on. */
+   * \throw MedialVoxelMemoryShortage when a slab of one voxel needs more than the memory limit. */
   void
   Run(const MedialVoxelBox &      region,
       const MedialVoxelBox &      nextRegion,
       MedialVoxelObjectSource &   source,
       MedialVoxelScheduleRunner & runner);
 
-  /** Bytes that the windows have. */
+  /** Memory that the windows have now. */
   std::uint64_t
   GetReservedBytes() const;
 

@@ -15,16 +15,16 @@ namespace
 /** Tiles for each worker in a slab of tiles that take long. */
 constexpr double TilesPerWorker = 4.0;
 
-/** Of the time that a slab takes, the most that one of its tiles may take. */
+/** Largest share of the time of a slab that one of its tiles may take. */
 constexpr double ShareOfLongestTile = 0.5;
 
-/** Of the time of a worker, what a tile takes that comes first. */
+/** Share of a worker's time from which on a tile comes first. */
 constexpr double ShareOfLeadingTile = 0.125;
 
-/** For each worker, the time of short tiles at the end, as a multiple of that of the longest tile before them. */
+/** For each worker, the time of short tiles at the end, as a multiple of the longest tile before them. */
 constexpr double TrailingTime = 2.0;
 
-/** Workers from which tiles are split: parts repeat more of the work of the halo, which fewer do not gain back. */
+/** From so many workers on, tiles are split: parts repeat work of the halo, and fewer workers lose time by that. */
 constexpr unsigned int ManyWorkers = 32;
 
 /** Parts of tiles have no fewer rows and slices; they keep their columns, whose words belong together. */

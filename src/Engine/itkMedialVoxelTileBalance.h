@@ -17,14 +17,14 @@ namespace itk
 /** \class MedialVoxelTileBalance
  * \brief The order of the tiles of a slab, and the parts of long ones, so that threads end together.
  *
- * Tiles of a slab mostly take as long as those at the same place in the slab before. Order and parts have no influence
- * on results.
+ * Most tiles take as long as the tile at the same place in the slab before. Order and parts have no influence on
+ * results.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelTileBalance
 {
 public:
-  /** What is known of a slab beside its tiles. */
+  /** A slab, without its tiles. */
   struct Slab
   {
     unsigned int slowestAxis{ 2 };
@@ -38,7 +38,7 @@ public:
   Record(const MedialVoxelBox & tile, unsigned int slowestAxis, double seconds);
 
   /** The tiles, in parts where many threads would have to wait for the last of them. Very long tiles come first and
-   * short ones last, so that threads end together; others keep their order, as neighbors share what caches hold. */
+   * short ones last, so that threads end together; others keep their order, because neighbors share caches. */
   std::vector<MedialVoxelBox>
   Balance(const std::vector<MedialVoxelBox> & tiles, const Slab & slab) const;
 

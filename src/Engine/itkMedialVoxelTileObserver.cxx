@@ -16,7 +16,7 @@ MedialVoxelTileObserver::MakeWorkspace() const -> std::unique_ptr<Workspace>
 }
 
 void
-MedialVoxelTileObserver::MeasureOnGrayValues(const MedialVoxelExtraction::GrayRange &)
+MedialVoxelTileObserver::MeasureOnGrayValues(const MedialVoxelSheetExtraction::GrayRange &)
 {}
 
 bool

@@ -17,7 +17,7 @@ namespace itk
 {
 
 /** \struct MedialVoxelClassifiedTile
- * \brief All that is known of a tile whose cells are decided.
+ * \brief The data of a tile whose cells are decided.
  * \ingroup MedialVoxel
  */
 struct MedialVoxelClassifiedTile
@@ -29,10 +29,10 @@ struct MedialVoxelClassifiedTile
   const std::vector<MedialVoxelCellRow> & rows;       ///< the cells with an object corner, by rows
   const std::vector<MedialVoxelWall> &    walls;      ///< at the measured cells of the rows, in their order
 
-  /** What the classifier knows of the cells, and memory for more searches on the boundary around this tile. */
+  /** Cells of the classifier, and its memory for more searches on the boundary around this tile. */
   MedialVoxelClassifier::Workspace & classification;
 
-  /** To be asked for an abort by an observer that takes long; what it observed is then discarded. */
+  /** An observer that takes long checks it for an abort; its observations are then discarded. */
   const MedialVoxelProgress & progress;
 
   const MedialVoxelGray & gray; ///< values around the tile; empty unless the filter measures on them
@@ -43,16 +43,16 @@ struct MedialVoxelClassifiedTile
 /** \class MedialVoxelTileObserver
  * \brief Sees each tile while its data are at hand, so that statistics need no second pass.
  *
- * A run tells Begin(), then Observe() once for every tile with an object, in any order and from several threads at a
- * time, and at last Commit(). What was observed since Begin() counts only with Commit(): a run that fails is begun
- * again with other regions. Examine() comes before Observe(): an observer that needs to know more sites says which, and
- * no observer observes the tile until all of them know what they need.
+ * A run calls Begin(), then Observe() once for every tile with an object, in any order and from several threads at a
+ * time, and at last Commit(). Observations since Begin() count only with Commit(): a run that fails is begun again with
+ * other regions. Examine() comes before Observe(): it returns further sites that the observer needs, and no observer
+ * observes the tile until all have them.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelTileObserver
 {
 public:
-  /** Memory of one worker, in which an observer keeps what it found from Examine() to Observe(). */
+  /** Memory of one worker, in which an observer keeps results from Examine() to Observe(). */
   struct Workspace
   {
     virtual ~Workspace();
@@ -60,9 +60,9 @@ public:
 
   virtual ~MedialVoxelTileObserver();
 
-  /** Bytes that the workspace of a worker takes for each voxel of a tile, which count for the memory limit. */
+  /** Bytes of a worker's workspace for each voxel of a tile; they count for the memory limit. */
   virtual std::uint64_t
-  GetWorkerBytesPerVoxel() const = 0;
+  GetBytesPerVoxel() const = 0;
 
   /** A workspace, which is null by default. */
   virtual std::unique_ptr<Workspace>
@@ -71,7 +71,7 @@ public:
   /** Walls are measured on these gray values, which tiles then have. Called before the first tile of a run; does
    * nothing by default. */
   virtual void
-  MeasureOnGrayValues(const MedialVoxelExtraction::GrayRange & range);
+  MeasureOnGrayValues(const MedialVoxelSheetExtraction::GrayRange & range);
 
   /** True when the observer looks at the thresholds of cells beside a tile; default false. */
   virtual bool

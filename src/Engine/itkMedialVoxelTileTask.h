@@ -14,7 +14,7 @@ namespace itk
 {
 
 /** \class MedialVoxelTileTask
- * \brief What is done with each tile of an image.
+ * \brief The work on each tile of an image.
  * \ingroup MedialVoxel
  */
 class MedialVoxelTileTask
@@ -41,7 +41,7 @@ public:
 
   /** Compute one tile and give it to \a client.
    *
-   * \return an empty box when done, otherwise the sites that must be known, in which case nobody has got anything */
+   * \return an empty box when done, otherwise the sites that must be known; then no observer or client was called */
   virtual MedialVoxelBox
   Process(const MedialVoxelBox &          tile,
           const MedialVoxelMovingWindow & window,

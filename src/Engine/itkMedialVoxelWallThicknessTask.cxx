@@ -18,10 +18,10 @@ struct MedialVoxelWallThicknessTask::TileWorkspace : public Workspace
   std::vector<float>                thickness;
 };
 
-MedialVoxelExtraction
+MedialVoxelSheetExtraction
 MedialVoxelWallThicknessTask::GetExtraction(const MedialVoxelLocalThickness & settings)
 {
-  MedialVoxelExtraction extraction;
+  MedialVoxelSheetExtraction extraction;
   extraction.parameters = settings.walls->parameters;
   extraction.grayRange = settings.walls->grayRange;
   extraction.measuresThickness = true;

@@ -31,7 +31,7 @@ public:
   static constexpr std::int64_t TileEdge = 128;
 
   /** The extraction that the task runs. */
-  static MedialVoxelExtraction
+  static MedialVoxelSheetExtraction
   GetExtraction(const MedialVoxelLocalThickness & settings);
 
   std::unique_ptr<Workspace>

@@ -18,8 +18,7 @@ namespace itk
 /** \class MedialVoxelWorkspacePool
  * \brief The memory of workers that no worker uses, kept for the next tile, also one of another region.
  *
- * Memory that tiles of another layout have grown may be more than tiles of this one need, and is not kept. The caller
- * sees to it that one thread at a time calls it.
+ * Memory of tiles of another layout may be larger than needed, and is not kept. One thread at a time may call it.
  * \ingroup MedialVoxel
  */
 class MedialVoxelWorkspacePool

@@ -54,14 +54,14 @@ MedialVoxelBits::Reshape(const MedialVoxelBox & box)
   const std::size_t words = WordsOfBox(box);
   if (words > m_Words.capacity())
   {
-    // Freed before more is taken, so that both are never there at the same time.
+    // Free the old memory first, so that both never exist at the same time.
     Words().swap(m_Words);
   }
   m_Words.assign(words, 0);
 }
 
 void
-MedialVoxelBits::Reframe(const MedialVoxelBox & box, const MedialVoxelBox & room)
+MedialVoxelBits::Reframe(const MedialVoxelBox & box, const MedialVoxelBox & largestBox)
 {
   if (box == m_Box)
   {
@@ -73,10 +73,10 @@ MedialVoxelBits::Reframe(const MedialVoxelBox & box, const MedialVoxelBox & room
     return;
   }
   MedialVoxelBits result;
-  result.Frame(box, room);
+  result.Frame(box, largestBox);
   for (MedialVoxelBox slice = box; slice.lower[2] < box.upper[2]; ++slice.lower[2])
   {
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
     slice.upper[2] = slice.lower[2] + 1;
     result.CopyRows(*this, slice);
   }
@@ -84,20 +84,21 @@ MedialVoxelBits::Reframe(const MedialVoxelBox & box, const MedialVoxelBox & room
 }
 
 std::uint64_t
-MedialVoxelBits::GetBytesToFrame(const MedialVoxelBox & box, const MedialVoxelBox & room) const
+MedialVoxelBits::GetBytesToFrame(const MedialVoxelBox & box, const MedialVoxelBox & largestBox) const
 {
-  return WordsOfBox(box) <= m_Words.capacity() ? this->GetReservedBytes() : std::max(GetBytes(box), GetBytes(room));
+  return WordsOfBox(box) <= m_Words.capacity() ? this->GetReservedBytes()
+                                               : std::max(GetBytes(box), GetBytes(largestBox));
 }
 
 void
-MedialVoxelBits::Frame(const MedialVoxelBox & box, const MedialVoxelBox & room)
+MedialVoxelBits::Frame(const MedialVoxelBox & box, const MedialVoxelBox & largestBox)
 {
   this->SetBox(box);
   const std::size_t words = WordsOfBox(box);
   if (words > m_Words.capacity())
   {
     Words().swap(m_Words);
-    m_Words.reserve(std::max(words, WordsOfBox(room)));
+    m_Words.reserve(std::max(words, WordsOfBox(largestBox)));
   }
   m_Words.resize(words);
 }
@@ -136,8 +137,8 @@ NumberOfRow(const MedialVoxelBox & box, const std::int64_t y, const std::int64_t
   return (z - box.lower[2]) * box.Extent(1) + y - box.lower[1];
 }
 
-/** By how much the numbers of the rows that boxes share grow from one box to the other, at the first and the last slice
- * of these rows; between them it lies between. */
+/** Growth of the numbers of shared rows from one box to the other, at the first and the last slice of these rows; in
+ * between it lies between both. */
 std::array<std::int64_t, 2>
 GrowthOfNumbers(const MedialVoxelBox & from, const MedialVoxelBox & to, const MedialVoxelBox & shared)
 {
@@ -197,7 +198,7 @@ MedialVoxelBits::ReframeInPlace(const MedialVoxelBox & box)
   this->ClearAround(shared);
 }
 
-/** Clears all rows but those of \a kept. */
+/** Clears all rows that are not in \a kept. */
 void
 MedialVoxelBits::ClearAround(const MedialVoxelBox & kept)
 {

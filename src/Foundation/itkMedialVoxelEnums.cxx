@@ -34,7 +34,7 @@ Print(std::ostream & out, const Enumeration & enumeration, const TEnum value)
                                                  : out << "INVALID VALUE FOR " << type;
 }
 
-/** Such as "99; it must be 0 (Fixed) or 1 (Automatic)." */
+/** For example "99; it must be 0 (Fixed) or 1 (Automatic)." */
 template <typename TEnum>
 std::string
 FindProblem(const Enumeration & enumeration, const TEnum value)

@@ -93,7 +93,7 @@ MedialVoxelGridLimits::FindProblem(const std::vector<std::uint64_t> & size,
   }
   for (std::size_t axis = 0; axis < size.size(); ++axis)
   {
-    // Written so that what is not a number is out of range.
+    // Written so that NaN is out of range.
     if (!(spacing[axis] >= SmallestSpacing && spacing[axis] <= LargestSpacing))
     {
       return Describe(AlongAxis("spacing", axis),

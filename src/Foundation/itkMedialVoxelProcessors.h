@@ -16,7 +16,7 @@
 #  define MEDIALVOXEL_PART_OF_THEM
 #endif
 
-// Parts of such functions that work on vectors, which must not be passed between versions.
+// Parts of these functions that work on vectors, which must not be passed between versions.
 #if defined(__GNUC__)
 #  define MEDIALVOXEL_INLINE inline __attribute__((always_inline))
 #else

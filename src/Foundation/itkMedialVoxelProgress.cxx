@@ -9,14 +9,14 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds BeatInterval{ 100 };
+constexpr std::chrono::milliseconds UpdateInterval{ 100 };
 
 thread_local MedialVoxelProgress * watchingProgress = nullptr;
-thread_local Clock::time_point     nextBeat;
+thread_local Clock::time_point     nextUpdate;
 
-/** Calls Beat(), in which observers may run work of their own; that must not be stopped or watched for this one. */
+/** Observers may run work of their own, which this progress must neither abort nor watch. */
 void
-BeatUnwatched(MedialVoxelProgress & progress)
+UpdateUnwatched(MedialVoxelProgress & progress)
 {
   struct Restorer
   {
@@ -30,11 +30,11 @@ BeatUnwatched(MedialVoxelProgress & progress)
     ~Restorer()
     {
       watchingProgress = &progress;
-      nextBeat = Clock::now() + BeatInterval;
+      nextUpdate = Clock::now() + UpdateInterval;
     }
   };
   const Restorer restorer(progress);
-  progress.Beat();
+  progress.UpdateObservers();
 }
 
 } // namespace
@@ -46,7 +46,7 @@ MedialVoxelAborted::MedialVoxelAborted()
 MedialVoxelProgress::~MedialVoxelProgress() = default;
 
 void
-MedialVoxelProgress::Beat()
+MedialVoxelProgress::UpdateObservers()
 {}
 
 void
@@ -65,31 +65,31 @@ void
 MedialVoxelNoProgress::Advance(std::uint64_t)
 {}
 
-MedialVoxelPollScope::MedialVoxelPollScope(MedialVoxelProgress & progress)
+MedialVoxelProgressScope::MedialVoxelProgressScope(MedialVoxelProgress & progress)
   : m_OuterProgress(watchingProgress)
-  , m_OuterNextBeat(nextBeat)
+  , m_OuterNextUpdate(nextUpdate)
 {
   watchingProgress = &progress;
-  nextBeat = Clock::now() + BeatInterval;
+  nextUpdate = Clock::now() + UpdateInterval;
 }
 
-MedialVoxelPollScope::~MedialVoxelPollScope()
+MedialVoxelProgressScope::~MedialVoxelProgressScope()
 {
   watchingProgress = m_OuterProgress;
-  nextBeat = m_OuterNextBeat;
+  nextUpdate = m_OuterNextUpdate;
 }
 
 void
-MedialVoxelPoll()
+MedialVoxelCheckAbort()
 {
   MedialVoxelProgress * const progress = watchingProgress;
   if (progress == nullptr)
   {
     return;
   }
-  if (!progress->IsAborted() && Clock::now() >= nextBeat)
+  if (!progress->IsAborted() && Clock::now() >= nextUpdate)
   {
-    BeatUnwatched(*progress);
+    UpdateUnwatched(*progress);
   }
   if (progress->IsAborted())
   {

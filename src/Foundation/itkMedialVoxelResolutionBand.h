@@ -6,8 +6,8 @@
 namespace itk
 {
 
-/** Relative width of the band around a threshold in which sums of rounded edge lengths decide nothing; such sums err by
- * far less. All searches for paths use this one: what one leaves undecided, another resolves exactly. */
+/** Relative width of the band around a threshold in which sums of rounded edge lengths decide nothing; their error is
+ * far smaller. All path searches share it: an exact search resolves cases in the band. */
 constexpr double MedialVoxelResolutionBand = 1e-9;
 
 } // end namespace itk

@@ -37,7 +37,7 @@ MedialVoxel_EXPORT std::vector<std::string>
 MedialVoxel_EXPORT std::string
                    ToLower(std::string_view text);
 
-/** The values put together with a separator, such as "256 x 256 x 110". */
+/** The values joined by a separator, for example "256 x 256 x 110". */
 template <typename TRange, typename TFormat>
 std::string
 Join(const TRange & values, const std::string & separator, TFormat format)

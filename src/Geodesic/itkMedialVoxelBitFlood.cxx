@@ -56,7 +56,7 @@ MedialVoxelBitFlood::FindLengths(const MedialVoxelGrid & grid, const double epsi
       }
     }
   }
-  // What has an edge less is shorter, so that it comes first.
+  // A path with an edge less is shorter, so it comes first.
   std::sort(m_Lengths.begin(), m_Lengths.end(), [](const Length & a, const Length & b) { return a.length < b.length; });
   for (Length & length : m_Lengths)
   {
@@ -149,7 +149,7 @@ MedialVoxelBitFlood::FindWindows(const MedialVoxelGrid & grid, const double epsi
         }
         const std::array<int, 3> b{ { bx, by, bz } };
         const std::array<int, 3> upper = FindUpper(lengthAt, b, epsilon * (1.0 + MedialVoxelResolutionBand), reach);
-        // What is around one of the points is mirrored around the other.
+        // The surroundings of one point are mirrored around the other.
         const std::array<int, 3> lower{ { bx - upper[0], by - upper[1], bz - upper[2] } };
         this->AddWindow({ { bx, by, bz } }, lower, upper);
       }
@@ -274,7 +274,7 @@ struct MedialVoxelBitFlood::WordLayout
 };
 
 /** The window of a pair and its first voxel; nothing when the free-space length alone reaches the threshold, or when
- * the boundary does not hold all of the window, which \a isUndecided tells. */
+ * the boundary does not hold all of the window, which sets \a isUndecided. */
 const MedialVoxelBitFlood::Window *
 MedialVoxelBitFlood::FindWindow(const MedialVoxelBits &         boundary,
                                 const MedialVoxelIndex &        a,
@@ -370,7 +370,7 @@ MedialVoxelBitFlood::FindLength(const MedialVoxelBits &         boundary,
     return isUndecided ? std::nullopt : std::optional<double>(std::numeric_limits<double>::infinity());
   }
   return this->WithDomain(boundary, *window, lower, [&](const auto & layout, const auto & domain) {
-    // The number of edges shows at once what is out of reach.
+    // The number of edges shows at once which thresholds are out of reach.
     return this->Flood(layout, *window, domain) == Result::Reaches ? std::numeric_limits<double>::infinity()
                                                                    : this->FloodByLength(layout, *window, domain);
   });
@@ -398,7 +398,7 @@ MedialVoxelBitFlood::FloodByLength(const TLayout &               layout,
                                    const typename TLayout::Set & domain) const
 {
   using Set = typename TLayout::Set;
-  // Left uninitialized but for what is read: every entry is written before those that need it.
+  // Left uninitialized: every entry is written before it is read.
   std::array<Set, MostLengths> reached;
   reached[0] = TLayout::Point(window.bitOfA);
   const Set target = TLayout::Point(window.bitOfB);

@@ -43,7 +43,8 @@ public:
   /** \a epsilon is the threshold in physical units, positive and finite. */
   MedialVoxelBitFlood(const MedialVoxelGrid & grid, double epsilon);
 
-  /** False when every pair is undecided: for what is not covered, and for thresholds that a path length meets. */
+  /** False when every pair is undecided: for unsupported grids and thresholds, and for thresholds that equal a path
+   * length. */
   bool
   IsAvailable() const
   {

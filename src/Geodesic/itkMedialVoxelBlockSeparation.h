@@ -54,13 +54,13 @@ public:
    * \param boundary  boundary points; pairs whose box reaches beyond them keep their bounds
    * \param progress  asked for an abort before each block
    * \param pairs     each with the boundary points \c a and \c b, the length \c epsilon up to which paths matter, in
-   * physical units, and the \c bounds of their geodesic distance; those with an \c epsilon of 0 are left alone */
+   * physical units, and the \c bounds of their geodesic distance; an \c epsilon of 0 leaves a pair alone */
   template <typename TPair>
   void
-  Narrow(const MedialVoxelBits &     boundary,
-         const MedialVoxelProgress & progress,
-         Workspace &                 workspace,
-         std::vector<TPair> &        pairs) const
+  Tighten(const MedialVoxelBits &     boundary,
+          const MedialVoxelProgress & progress,
+          Workspace &                 workspace,
+          std::vector<TPair> &        pairs) const
   {
     this->SortByBlock(workspace, pairs);
     std::uint32_t first = 0;
@@ -68,8 +68,8 @@ public:
     {
       if (first != end && !progress.IsAborted())
       {
-        MedialVoxelPoll();
-        this->NarrowBlock(boundary, workspace, first, end, pairs);
+        MedialVoxelCheckAbort();
+        this->TightenBlock(boundary, workspace, first, end, pairs);
       }
       first = end;
     }
@@ -103,11 +103,11 @@ private:
   void
   SortByBlock(Workspace & workspace, const std::vector<TPair> & pairs) const
   {
-    MedialVoxelPollCounter poll;
-    MedialVoxelBox         blocks;
+    MedialVoxelAbortChecker checker;
+    MedialVoxelBox          blocks;
     for (const TPair & pair : pairs)
     {
-      poll.Count();
+      checker.Count();
       if (pair.epsilon > 0.0)
       {
         Include(BlockOf(pair.a, pair.b), blocks);
@@ -130,7 +130,7 @@ private:
     auto block = workspace.m_Blocks.begin();
     for (std::size_t i = 0; i < pairs.size(); ++i)
     {
-      poll.Count();
+      checker.Count();
       if (pairs[i].epsilon > 0.0)
       {
         workspace.m_Order[workspace.m_Ends[*block++]++] = static_cast<std::uint32_t>(i);
@@ -140,11 +140,11 @@ private:
 
   template <typename TPair>
   void
-  NarrowBlock(const MedialVoxelBits & boundary,
-              Workspace &             workspace,
-              const std::uint32_t     first,
-              const std::uint32_t     end,
-              std::vector<TPair> &    pairs) const
+  TightenBlock(const MedialVoxelBits & boundary,
+               Workspace &             workspace,
+               const std::uint32_t     first,
+               const std::uint32_t     end,
+               std::vector<TPair> &    pairs) const
   {
     Extent extent;
     for (std::uint32_t i = first; i < end; ++i)
@@ -169,7 +169,7 @@ private:
       TPair & pair = pairs[workspace.m_Order[i]];
       if (!workspace.m_Components.AreConnected(pair.a, pair.b))
       {
-        pair.bounds.Narrow({ length });
+        pair.bounds.Tighten({ length });
       }
     }
   }

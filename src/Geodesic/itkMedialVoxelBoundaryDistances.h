@@ -33,8 +33,7 @@ public:
   void
   Compute(const MedialVoxelBoundaryGraph & graph, const MedialVoxelGrid & grid, NodeType source, double radius);
 
-  /** Find the length to \a target if it is at most \a radius; other points that cannot be on such a path are left out.
-   */
+  /** Find the length to \a target if it is at most \a radius; skips other points that cannot be on such a path. */
   void
   ComputeTowards(const MedialVoxelBoundaryGraph & graph,
                  const MedialVoxelGrid &          grid,

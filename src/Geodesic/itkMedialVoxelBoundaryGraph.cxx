@@ -62,7 +62,7 @@ MedialVoxelBoundaryGraph::CopyBits(const MedialVoxelBits & boundary)
   m_Words.assign(static_cast<std::size_t>((m_Box.Extent(2) + 2) * m_RowsPerSlice * wordsPerRow), 0);
   for (std::int64_t z = m_Box.lower[2]; z < m_Box.upper[2]; ++z)
   {
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
     for (std::int64_t y = m_Box.lower[1]; y < m_Box.upper[1]; ++y)
     {
       // The bit before the box is padding.
@@ -80,11 +80,11 @@ MedialVoxelBoundaryGraph::CopyBits(const MedialVoxelBits & boundary)
 bool
 MedialVoxelBoundaryGraph::NumberNodes(const std::size_t mostNodes)
 {
-  MedialVoxelPollCounter poll;
+  MedialVoxelAbortChecker checker;
   m_NodesBefore.resize(m_Words.size());
   for (std::size_t word = 0; word < m_Words.size(); ++word)
   {
-    poll.Count();
+    checker.Count();
     m_NodesBefore[word] = static_cast<NodeType>(m_Positions.size());
     for (WordType rest = m_Words[word]; rest != 0; rest &= rest - 1)
     {
@@ -136,13 +136,13 @@ MedialVoxelBoundaryGraph::ListNeighbors(const NodeType node)
 void
 MedialVoxelBoundaryGraph::Connect()
 {
-  const auto             numberOfNodes = static_cast<NodeType>(m_Positions.size());
-  MedialVoxelPollCounter poll;
+  const auto              numberOfNodes = static_cast<NodeType>(m_Positions.size());
+  MedialVoxelAbortChecker checker;
   m_FirstNeighbor.resize(m_Positions.size() + 1);
   m_Neighbors.clear();
   for (NodeType node = 0; node < numberOfNodes; ++node)
   {
-    poll.Count();
+    checker.Count();
     m_FirstNeighbor[node] = m_Neighbors.size();
     this->ListNeighbors(node);
   }
@@ -161,7 +161,7 @@ MedialVoxelBoundaryGraph::Connect()
   // Roots are the smallest numbers of their trees, so that one pass in the order of the numbers flattens all trees.
   for (NodeType node = 0; node < numberOfNodes; ++node)
   {
-    poll.Count();
+    checker.Count();
     this->VisitNeighbors(node, [&](const NodeType neighbor, unsigned int) {
       if (neighbor < node)
       {

@@ -83,7 +83,7 @@ MedialVoxelBoundedGeodesic::SearchBoxOf(const MedialVoxelGrid &  grid,
                                         const MedialVoxelIndex & b,
                                         const double             length)
 {
-  // Sums of rounded edges may fall a little short of what they should be.
+  // Sums of rounded edges may be a little too small.
   const double                  longest = length * (1.0 + MedialVoxelResolutionBand);
   const MedialVoxelDisplacement difference = Difference(a, b);
   const auto &                  spacing = grid.GetSpacing();
@@ -274,7 +274,7 @@ MedialVoxelBoundedGeodesic::Search(const MedialVoxelIndex & a,
                                    const MedialVoxelBox &   searchBox,
                                    Workspace &              workspace) const
 {
-  MedialVoxelPoll();
+  MedialVoxelCheckAbort();
   Workspace::Region & region = workspace.GetRegion(searchBox);
   const auto          source = region.graph.NodeOf(a);
   const auto          target = region.graph.NodeOf(b);
@@ -305,7 +305,7 @@ MedialVoxelBoundedGeodesic::Search(const MedialVoxelIndex & a,
 }
 
 std::uint64_t
-MedialVoxelBoundedGeodesic::GetWorkspaceBytes(const MedialVoxelGrid & grid, const double epsilon)
+MedialVoxelBoundedGeodesic::GetBytes(const MedialVoxelGrid & grid, const double epsilon)
 {
   constexpr std::uint64_t bytesPerRegionNode =
     MedialVoxelBoundaryGraph::BytesPerNode + MedialVoxelGeodesicLandmarks::BytesPerNode;
@@ -334,10 +334,10 @@ MedialVoxelBoundedGeodesic::ResolveLength(const MedialVoxelBoundaryGraph &      
   std::set<std::pair<NodeType, MedialVoxelEdgeCounts>> known;
   std::vector<PartialPath>                             open{ { a, 0.0, {} } };
   double                                               shortest = MedialVoxelBoundaryDistances::NotReached;
-  MedialVoxelPollCounter                               poll;
+  MedialVoxelAbortChecker                              checker;
   while (!open.empty())
   {
-    poll.Count();
+    checker.Count();
     const PartialPath path = open.back();
     open.pop_back();
     if (path.node == b)

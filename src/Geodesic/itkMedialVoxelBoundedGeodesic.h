@@ -22,17 +22,17 @@ namespace itk
  *
  * Near points are flooded with bit operations first: the number of edges of the shortest path bounds its length from
  * both sides. Points in different components of a graph that many searches share are apart; the triangle inequality
- * with the results of earlier searches decides most others. What is left is searched by Dijkstra's algorithm, whose
- * result serves the searches that follow. Lengths that lie within rounding of the threshold are resolved by enumerating
- * the edge counts of the paths in question, so that the answer is always the one of the definition: the smallest
- * MedialVoxelPathLength of all paths.
+ * with the results of earlier searches decides most others. The rest is searched by Dijkstra's algorithm, whose result
+ * serves later searches. Lengths that lie within rounding of the threshold are resolved by enumerating the edge counts
+ * of the paths in question, so that the answer is always the one of the definition: the smallest MedialVoxelPathLength
+ * of all paths.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelBoundedGeodesic
 {
 public:
   /** \class Workspace
-   * \brief Memory of one thread, and what earlier searches on the same boundary found.
+   * \brief Memory of one thread, and results of earlier searches on the same boundary.
    * \ingroup MedialVoxel
    */
   class Workspace;
@@ -41,7 +41,7 @@ public:
   MedialVoxelBoundedGeodesic(const MedialVoxelGrid & grid, double epsilon);
 
   /** Box of all points on paths from \a a to \a b that are not longer than \a length, in the image. It holds both
-   * points whenever there may be such a path; their order does not matter. */
+   * points whenever a path may exist; their order does not matter. */
   static MedialVoxelBox
   SearchBoxOf(const MedialVoxelGrid & grid, const MedialVoxelIndex & a, const MedialVoxelIndex & b, double length);
 
@@ -69,7 +69,7 @@ public:
 
   /** Bytes that a workspace grows to when an eighth of the voxels of the largest search box are boundary points. */
   static std::uint64_t
-  GetWorkspaceBytes(const MedialVoxelGrid & grid, double epsilon);
+  GetBytes(const MedialVoxelGrid & grid, double epsilon);
 
 private:
   enum class FloodResult

@@ -17,11 +17,11 @@ MedialVoxelBoxComponents::Label(const MedialVoxelBits & boundary, const MedialVo
   m_Box = box;
   m_FirstRun.clear();
   m_Runs.clear();
-  MedialVoxelPollCounter poll;
-  const WordType         columns = MedialVoxelBits::RangeMask(0, 0, box.Extent(0));
+  MedialVoxelAbortChecker checker;
+  const WordType          columns = MedialVoxelBits::RangeMask(0, 0, box.Extent(0));
   for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
   {
-    poll.Count(static_cast<std::uint32_t>(box.Extent(1)));
+    checker.Count(static_cast<std::uint32_t>(box.Extent(1)));
     for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
     {
       const std::size_t row = m_FirstRun.size();
@@ -67,7 +67,7 @@ MedialVoxelBoxComponents::Label(const MedialVoxelBits & boundary, const MedialVo
   }
 }
 
-/** Join the runs of the last row with those of an earlier one that they touch. */
+/** Join the runs of the last row with touching runs of an earlier one. */
 void
 MedialVoxelBoxComponents::Join(const std::size_t row, const std::size_t otherRow)
 {
@@ -84,7 +84,7 @@ MedialVoxelBoxComponents::Join(const std::size_t row, const std::size_t otherRow
         const std::uint32_t otherRoot = this->RootOf(other);
         const std::uint32_t first = std::min(root, otherRoot);
         m_Runs[root].parent = m_Runs[otherRoot].parent = first;
-        // Short ways to the root.
+        // Short paths to the root.
         m_Runs[run].parent = m_Runs[other].parent = first;
       }
     }

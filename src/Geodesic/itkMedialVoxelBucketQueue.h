@@ -55,13 +55,13 @@ public:
   Run(TLengthOf && lengthOf, TVisit && visit, TIsDone && isDone)
   {
     assert(!m_Buckets.empty());
-    MedialVoxelPollCounter poll;
+    MedialVoxelAbortChecker checker;
     for (std::size_t front = 0; m_Waiting > 0 && !isDone(static_cast<double>(front) * m_Width); ++front)
     {
       auto & bucket = m_Buckets[front % m_Buckets.size()];
       for (const TPoint point : bucket)
       {
-        poll.Count();
+        checker.Count();
         const double length = lengthOf(point);
         if (this->BucketOf(length) == front && !visit(point, length))
         {

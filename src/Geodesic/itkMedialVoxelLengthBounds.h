@@ -12,7 +12,7 @@ namespace itk
 {
 
 /** \struct MedialVoxelLengthBounds
- * \brief What is known of a geodesic distance, in physical units and in floating point.
+ * \brief Bounds of a geodesic distance, in physical units and in floating point.
  * \ingroup MedialVoxel
  */
 struct MedialVoxelLengthBounds
@@ -34,12 +34,12 @@ struct MedialVoxelLengthBounds
     return shortest >= epsilon * (1.0 + MedialVoxelResolutionBand);
   }
 
-  /** Take over the bounds of a distance that differs by at most \a way. */
+  /** Take over the bounds of a distance that differs by at most \a difference. */
   void
-  Narrow(const MedialVoxelLengthBounds & other, const double way = 0.0)
+  Tighten(const MedialVoxelLengthBounds & other, const double difference = 0.0)
   {
-    shortest = std::max(shortest, other.shortest - way);
-    longest = std::min(longest, other.longest + way);
+    shortest = std::max(shortest, other.shortest - difference);
+    longest = std::min(longest, other.longest + difference);
   }
 };
 

@@ -18,7 +18,7 @@ namespace
 constexpr unsigned int FirstLevel = 3;
 constexpr unsigned int LastLevel = 2;
 
-/** Share of the threshold that paths are searched for: what is known beyond it decides neighboring pairs. */
+/** Share of the threshold to which paths are searched: lengths beyond the threshold decide neighboring pairs. */
 constexpr double LongestSearch = 1.45;
 
 /** Number of the cube of 2^level voxels that the middle of a pair lies in. */
@@ -64,10 +64,10 @@ MedialVoxelPairSeparation::FindSeparated(const MedialVoxelBits &                
   MedialVoxelBox missing;
   auto &         entries = workspace.m_Entries;
   entries.clear();
-  MedialVoxelPollCounter poll;
+  MedialVoxelAbortChecker checker;
   for (std::size_t i = 0; i < queries.size(); ++i)
   {
-    poll.Count();
+    checker.Count();
     auto & query = queries[i];
     assert(this->IsNear(query));
     query.isSeparated = false;
@@ -101,7 +101,7 @@ MedialVoxelPairSeparation::JudgeGroup(const MedialVoxelBits &                   
                                       Workspace &                               workspace,
                                       std::vector<MedialVoxelSeparationQuery> & queries) const
 {
-  MedialVoxelPoll();
+  MedialVoxelCheckAbort();
   MedialVoxelBox box;
   for (auto entry = first; entry != last; ++entry)
   {
@@ -116,7 +116,7 @@ MedialVoxelPairSeparation::JudgeGroup(const MedialVoxelBits &                   
       query.isSeparated = !workspace.m_Components.AreConnected(query.a, query.b);
       if (query.isSeparated)
       {
-        query.bounds.Narrow({ MedialVoxelBoundedGeodesic::LengthWithin(m_Grid, query.a, query.b, box) });
+        query.bounds.Tighten({ MedialVoxelBoundedGeodesic::LengthWithin(m_Grid, query.a, query.b, box) });
       }
       return !query.isSeparated;
     });
@@ -155,13 +155,13 @@ MedialVoxelPairSeparation::Reaches(const MedialVoxelBits &      boundary,
 {
   assert(this->IsNear(query));
   MedialVoxelLengthBounds & known = workspace.m_Lengths[{ { query.a, query.b } }];
-  query.bounds.Narrow(known);
+  query.bounds.Tighten(known);
   if (query.bounds.FallShortOf(query.epsilon) || query.bounds.Reach(query.epsilon))
   {
     return query.bounds.Reach(query.epsilon);
   }
   const bool reaches = this->Search(boundary, query, workspace, known);
-  query.bounds.Narrow(known);
+  query.bounds.Tighten(known);
   return reaches;
 }
 
@@ -171,7 +171,7 @@ MedialVoxelPairSeparation::Search(const MedialVoxelBits &            boundary,
                                   Workspace &                        workspace,
                                   MedialVoxelLengthBounds &          bounds) const
 {
-  MedialVoxelPoll();
+  MedialVoxelCheckAbort();
   const double         further = LongestSearch * query.epsilon;
   const MedialVoxelBox wide =
     MedialVoxelBoundedGeodesic::SearchBoxOf(m_Grid, query.a, query.b, further).Intersection(boundary.GetBox());
@@ -185,12 +185,12 @@ MedialVoxelPairSeparation::Search(const MedialVoxelBits &            boundary,
     const double longest = length * (1.0 + MedialVoxelResolutionBand);
     if (length < enough)
     {
-      bounds.Narrow({ 0.0, longest });
+      bounds.Tighten({ 0.0, longest });
       return false;
     }
     if (length > unclear)
     {
-      bounds.Narrow({ std::min(length, most) * (1.0 - MedialVoxelResolutionBand), longest });
+      bounds.Tighten({ std::min(length, most) * (1.0 - MedialVoxelResolutionBand), longest });
       return true;
     }
   }

@@ -19,7 +19,7 @@ namespace itk
 {
 
 /** \struct MedialVoxelSeparationQuery
- * \brief Two boundary points, their own threshold, and what is known of them.
+ * \brief Two boundary points, their own threshold, and bounds of their distance.
  * \ingroup MedialVoxel
  */
 struct MedialVoxelSeparationQuery
@@ -30,7 +30,7 @@ struct MedialVoxelSeparationQuery
   std::size_t      cell;                 ///< for the user
   bool             isSeparated{ false }; ///< no path that is shorter than \a epsilon joins the points
 
-  MedialVoxelLengthBounds bounds{}; ///< what is known of the geodesic distance
+  MedialVoxelLengthBounds bounds{}; ///< bounds of the geodesic distance
 };
 
 /** \class MedialVoxelPairSeparation
@@ -38,8 +38,8 @@ struct MedialVoxelSeparationQuery
  * reaches it.
  *
  * Pairs that are near each other are judged together: paths below the thresholds stay in one box, and points in
- * different components of the boundary in that box are apart. What is joined is tried again in smaller groups. This
- * decides most pairs on either side of a wall; what is left is searched one by one. The answers are those of
+ * different components of the boundary in that box are apart. Joined pairs are tried again in smaller groups. This
+ * decides most pairs on either side of a wall; the rest is searched one by one. The answers equal the answers of
  * MedialVoxelBoundedGeodesic.
  * \ingroup MedialVoxel
  */
@@ -89,7 +89,7 @@ public:
 
   explicit MedialVoxelPairSeparation(const MedialVoxelGrid & grid);
 
-  /** Find the \a queries whose points are separated, as far as components tell.
+  /** Find the \a queries whose points components separate.
    *
    * \param queries   of points whose free-space length is below the threshold: others need no search
    * \param progress  asked for an abort before each group, after which the answers are incomplete
@@ -100,8 +100,8 @@ public:
                 Workspace &                               workspace,
                 std::vector<MedialVoxelSeparationQuery> & queries) const;
 
-  /** True when the geodesic distance of the points reaches epsilon; narrows the bounds of the query. Neighboring cells
-   * often have the same pair, for which what was found before serves again.
+  /** True when the geodesic distance of the points reaches epsilon; tightens the bounds of the query. Neighboring cells
+   * often have the same pair, which reuses the result.
    *
    * The box of \a boundary holds MedialVoxelBoundedGeodesic::SearchBoxOf() the query. */
   bool

@@ -107,7 +107,7 @@ struct MedialVoxelPathSearch::Raster
     return neighbors & ~(std::uint32_t{ 1 } << NoDirection);
   }
 
-  /** What to add to a point to get its neighbor, for each direction. */
+  /** Offset from a point to its neighbor, for each direction. */
   std::array<PointType, NumberOfDirections>
   GetSteps() const
   {
@@ -191,11 +191,11 @@ MedialVoxelPathSearch::FindLength(const MedialVoxelBits &  boundary,
   queue.Begin(straight, BucketsToEdge * m_Grid.GetShortestEdge());
   nodeOf(start) = { 0.0, straight, number };
   queue.Push({ start, 0.0 }, straight);
-  double                 found = std::numeric_limits<double>::infinity();
-  double                 limit = most;
-  MedialVoxelPollCounter poll;
-  const auto             steps = raster.GetSteps();
-  const auto             visit = [&](const PointType from, const double lengthHere) {
+  double                  found = std::numeric_limits<double>::infinity();
+  double                  limit = most;
+  MedialVoxelAbortChecker checker;
+  const auto              steps = raster.GetSteps();
+  const auto              visit = [&](const PointType from, const double lengthHere) {
     // One loop over all directions: processors predict its end better than the ends of nine short ones.
     for (std::uint32_t rest = raster.NeighborsOf(from); rest != 0; rest &= rest - 1)
     {
@@ -226,7 +226,7 @@ MedialVoxelPathSearch::FindLength(const MedialVoxelBits &  boundary,
   };
   while (found >= enough)
   {
-    poll.Count();
+    checker.Count();
     const auto entry = queue.Pop();
     if (!entry)
     {

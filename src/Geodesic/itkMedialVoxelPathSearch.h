@@ -43,7 +43,7 @@ public:
     struct Node
     {
       double        length; // of the shortest path so far
-      double        rest;   // at least that of the way to the end
+      double        rest;   // lower bound of the path to the end
       std::uint32_t search; // that the others are of
     };
 

@@ -28,7 +28,7 @@ namespace
 {
 
 /** One request may have fewer bytes than some systems' limit of 2 GiB. */
-constexpr std::uint64_t MaximumBytesPerRequest = std::uint64_t{ 1 } << 30;
+constexpr std::uint64_t RequestSize = std::uint64_t{ 1 } << 30;
 
 template <typename... TParts>
 [[noreturn]] void
@@ -40,7 +40,7 @@ Fail(const TParts &... parts)
 }
 
 /** \class PositionedFile
- * \brief A file without a buffer of its own, so that a short run does not move a buffer full. */
+ * \brief A file without a buffer, so that a short run does not read a whole buffer. */
 class PositionedFile
 {
 public:
@@ -114,9 +114,9 @@ private:
   void
   Transfer(std::uint64_t numberOfBytes, TRequest && request)
   {
-    for (std::uint64_t done = 0; done < numberOfBytes && m_File.good(); done += MaximumBytesPerRequest)
+    for (std::uint64_t done = 0; done < numberOfBytes && m_File.good(); done += RequestSize)
     {
-      request(done, static_cast<std::streamsize>(std::min(MaximumBytesPerRequest, numberOfBytes - done)));
+      request(done, static_cast<std::streamsize>(std::min(RequestSize, numberOfBytes - done)));
     }
   }
 

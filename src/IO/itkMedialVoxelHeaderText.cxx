@@ -25,9 +25,9 @@ Fail(HeaderError::Kind kind, const TParts &... parts)
   throw HeaderError(kind, message.str());
 }
 
-/** A message stays readable however long the values are that a header has. */
+/** Keeps a message readable when a header has long values. */
 std::string
-LeaveOutMiddle(const std::string & text)
+Shorten(const std::string & text)
 {
   constexpr size_t longest = 400;
   constexpr size_t beginning = 200;
@@ -119,10 +119,10 @@ OpenRegularFile(const std::filesystem::path & fileName)
   return file;
 }
 
-HeaderLines::HeaderLines(const std::filesystem::path & fileName, std::uint64_t maximumBytesPerLine)
+HeaderLines::HeaderLines(const std::filesystem::path & fileName, std::uint64_t maximumLineLength)
   : m_FileName(fileName)
   , m_File(OpenRegularFile(fileName))
-  , m_MaximumBytesPerLine(maximumBytesPerLine)
+  , m_MaximumLineLength(maximumLineLength)
 {}
 
 bool
@@ -137,7 +137,7 @@ HeaderLines::Next(std::string & line)
     {
       break;
     }
-    if (character == '\0' || line.size() == m_MaximumBytesPerLine)
+    if (character == '\0' || line.size() == m_MaximumLineLength)
     {
       Fail(HeaderError::Kind::Corrupt,
            m_FileName.string(),
@@ -145,7 +145,7 @@ HeaderLines::Next(std::string & line)
            m_LineNumber + 1,
            " is not a line of a header: it has ",
            character == '\0' ? "bytes that are not text"
-                             : "more than " + std::to_string(m_MaximumBytesPerLine) + " bytes");
+                             : "more than " + std::to_string(m_MaximumLineLength) + " bytes");
     }
     line.push_back(character);
   }
@@ -171,19 +171,19 @@ FindDataFile(const std::filesystem::path & headerName, const std::string & name)
     return folder / name;
   }
   // Windows writes umlauts as one byte, where the name of the file has two.
-  std::string twoBytes;
+  std::string encoded;
   for (const char character : name)
   {
     const auto byte = static_cast<unsigned char>(character);
     if (byte < 0x80)
     {
-      twoBytes.push_back(character);
+      encoded.push_back(character);
       continue;
     }
-    twoBytes.push_back(static_cast<char>(0xC0 | (byte >> 6)));
-    twoBytes.push_back(static_cast<char>(0x80 | (byte & 0x3F)));
+    encoded.push_back(static_cast<char>(0xC0 | (byte >> 6)));
+    encoded.push_back(static_cast<char>(0x80 | (byte & 0x3F)));
   }
-  return folder / (std::filesystem::exists(folder / twoBytes, error) ? twoBytes : name);
+  return folder / (std::filesystem::exists(folder / encoded, error) ? encoded : name);
 }
 
 std::uint64_t
@@ -205,7 +205,7 @@ GetDataFileSize(const std::filesystem::path & headerName, const std::filesystem:
 void
 RefuseHeader(const std::filesystem::path & fileName, const std::string & what, HeaderError::Kind kind)
 {
-  Fail(kind, fileName.string(), ": ", LeaveOutMiddle(what));
+  Fail(kind, fileName.string(), ": ", Shorten(what));
 }
 
 std::string

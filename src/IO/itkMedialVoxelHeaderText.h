@@ -19,12 +19,12 @@ namespace itk
 namespace MedialVoxelText
 {
 
-/** What a terminal can show of a text from a file: control characters, which can steer it, become question marks. */
+/** Makes a text from a file safe to show: control characters, which can steer a terminal, become question marks. */
 MedialVoxel_EXPORT std::string
                    MakePrintable(std::string text);
 
 /** \class HeaderError
- * \brief What is wrong with the header of a volume; the text names the file.
+ * \brief An error in the header of a volume; the text names the file.
  * \ingroup MedialVoxel */
 class MedialVoxel_EXPORT HeaderError : public std::runtime_error
 {
@@ -32,7 +32,7 @@ public:
   enum class Kind : std::uint8_t
   {
     Unreadable, ///< the file is missing, cannot be opened, or is not a regular file
-    Corrupt,    ///< the header, or what it says about its data, is damaged or inconsistent
+    Corrupt,    ///< the header, or its statement about the data, is damaged or inconsistent
     Unsupported ///< a variant of the format that is valid but not read
   };
 
@@ -60,13 +60,13 @@ struct MedialVoxel_EXPORT HeaderFields
 };
 
 /** \class HeaderLines
- * \brief Hands out the lines of a header and refuses what no header has: endless lines, bytes that are not text.
+ * \brief Hands out the lines of a header and refuses endless lines and bytes that are not text.
  * \ingroup MedialVoxel */
 class MedialVoxel_EXPORT HeaderLines
 {
 public:
   /** \throw HeaderError when the file cannot be opened or is not a regular file. */
-  HeaderLines(const std::filesystem::path & fileName, std::uint64_t maximumBytesPerLine);
+  HeaderLines(const std::filesystem::path & fileName, std::uint64_t maximumLineLength);
 
   /** The next line without its end; false at the end of the file. */
   bool
@@ -87,7 +87,7 @@ public:
 private:
   std::filesystem::path m_FileName;
   std::ifstream         m_File;
-  std::uint64_t         m_MaximumBytesPerLine;
+  std::uint64_t         m_MaximumLineLength;
   std::uint64_t         m_Position{ 0 };
   std::uint64_t         m_LineNumber{ 0 };
 };

@@ -18,7 +18,7 @@ namespace itk
 {
 
 /** Requests for less are read without asking for holes. */
-constexpr std::uint64_t MinimumBytesOfHole = std::uint64_t{ 1 } << 16;
+constexpr std::uint64_t MinimumHoleSize = std::uint64_t{ 1 } << 16;
 
 /** Bytes of a file that are alike: in a hole, which reads as zeros, or not. */
 struct FileStretch
@@ -28,7 +28,7 @@ struct FileStretch
 };
 
 /** \class HoleFinder
- * \brief Tells which bytes of a file lie in holes, where the system knows: reading them would fill its cache. */
+ * \brief Finds bytes of a file that lie in holes, where the system knows: reading them would fill its cache. */
 class HoleFinder
 {
 public:
@@ -52,7 +52,7 @@ public:
   FileStretch
   Find(std::uint64_t offset, std::uint64_t numberOfBytes)
   {
-    if (numberOfBytes < MinimumBytesOfHole || !this->Open())
+    if (numberOfBytes < MinimumHoleSize || !this->Open())
     {
       return { false, numberOfBytes };
     }
@@ -63,7 +63,7 @@ public:
     }
     const bool          isHole = offset < m_DataBegin;
     const std::uint64_t end = isHole ? m_DataBegin : m_DataEnd;
-    // Behind the end of the file there is nothing, which reading will tell.
+    // Reading will report an offset behind the end of the file.
     return { isHole, end > offset ? std::min(numberOfBytes, end - offset) : numberOfBytes };
   }
 
@@ -78,7 +78,7 @@ private:
     return m_Descriptor >= 0;
   }
 
-  /** What follows an offset; the end of the file, but not less than the offset, when nothing does. */
+  /** The next hole or data after an offset; the end of the file, but not less than the offset, when there is none. */
   std::uint64_t
   Seek(std::uint64_t offset, int what) const
   {

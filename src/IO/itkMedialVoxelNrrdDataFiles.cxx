@@ -21,11 +21,11 @@ constexpr std::uint64_t MaximumDataFiles = std::uint64_t{ 1 } << 16;
 constexpr unsigned int  MaximumDigitsOfWidth = 3;
 
 /** \class FileNamePattern
- * \brief A file name with the place of a number in it, such as "slice%03d.raw". */
+ * \brief A file name with the place of a number in it, for example "slice%03d.raw". */
 class FileNamePattern
 {
 public:
-  /** Nothing when the text has no such place. */
+  /** Nothing when the text has no place for a number. */
   static std::optional<FileNamePattern>
   Find(const std::string & text)
   {

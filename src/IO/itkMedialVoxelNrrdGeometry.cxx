@@ -27,7 +27,7 @@ Find(const MedialVoxelNrrdHeader & header, const std::string & field)
   return found == header.fields.end() ? std::nullopt : std::optional<std::string>(found->second);
 }
 
-/** A field with a value for each axis of the file, those of space only. */
+/** A field with a value for each axis of the file; returns the values of the axes of space. */
 std::optional<std::string>
 FindPerAxis(const MedialVoxelNrrdHeader & header, const std::string & field)
 {
@@ -67,8 +67,8 @@ ParseVectors(const MedialVoxelNrrdHeader & header, const std::string & field, co
   return vectors;
 }
 
-/** Signs that bring the coordinates of a space into the one of ITK: left, posterior, superior. Spaces that do not say
- * where they point are taken as they are. */
+/** Signs that bring the coordinates of a space into the one of ITK: left, posterior, superior. Spaces without
+ * anatomical directions stay as they are. */
 std::vector<double>
 ReadSpace(MedialVoxelNrrdHeader & header)
 {
@@ -88,7 +88,7 @@ ReadSpace(MedialVoxelNrrdHeader & header)
   return signs;
 }
 
-/** Of the vectors of all axes, those of the axes of space; an axis of components has "none". */
+/** The vectors of the axes of space; an axis of components has "none". */
 std::string
 WithoutNone(const MedialVoxelNrrdHeader & header, const std::string & text)
 {

@@ -20,7 +20,7 @@ using namespace MedialVoxelText;
 namespace
 {
 
-constexpr size_t        MaximumBytesPerLine = size_t{ 1 } << 20;
+constexpr size_t        MaximumLineLength = size_t{ 1 } << 20;
 constexpr std::uint64_t MaximumBytesOfHeader = std::uint64_t{ 1 } << 24;
 constexpr std::uint64_t MaximumLines = std::uint64_t{ 1 } << 17;
 constexpr std::int64_t  MaximumAxes = 16;
@@ -125,7 +125,7 @@ struct HeaderText
   std::vector<std::string>           listedFiles;
 };
 
-/** Field names are told apart without regard to case and blanks: "data file" is "datafile". */
+/** Field names are compared without case and blanks: "data file" is "datafile". */
 std::string
 CanonicalName(const std::string & name)
 {
@@ -182,7 +182,7 @@ ReadLine(const HeaderLines & lines, const std::filesystem::path & fileName, cons
 HeaderText
 ReadText(const std::filesystem::path & fileName)
 {
-  HeaderLines lines(fileName, MaximumBytesPerLine);
+  HeaderLines lines(fileName, MaximumLineLength);
   HeaderText  text;
   std::string line;
   if (!lines.Next(line) || line.size() != 8 || line.compare(0, 7, "NRRD000") != 0)
@@ -388,7 +388,7 @@ std::string
 FindMedialVoxelNrrdEncoding(const std::filesystem::path & fileName)
 {
   constexpr std::string_view field = "encoding:";
-  HeaderLines                lines(fileName, MaximumBytesPerLine);
+  HeaderLines                lines(fileName, MaximumLineLength);
   std::string                line;
   try
   {

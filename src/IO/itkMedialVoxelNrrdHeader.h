@@ -16,11 +16,11 @@
 namespace itk
 {
 
-/** What the header of a NRRD file says, checked, and before its data are looked at.
+/** The checked header of a NRRD file, without a look at its data.
  *
  * The axes are the 2 or 3 axes of space, x first; an axis of components, which must be the first of the file, is not
- * among them. Positions are those of ITK's space, in which x, y, z point left, posterior, superior: right or anterior
- * axes of a known space are turned round. */
+ * among them. Positions are in ITK's space, in which x, y, z point left, posterior, superior: right or anterior axes of
+ * a known space are reversed. */
 struct MedialVoxelNrrdHeader
 {
   std::filesystem::path              fileName;
@@ -66,7 +66,7 @@ ReadMedialVoxelNrrdHeader(const std::filesystem::path & fileName);
 MedialVoxel_EXPORT std::string
                    FindMedialVoxelNrrdEncoding(const std::filesystem::path & fileName);
 
-/** Bytes of a data file before those that `byte skip` counts.
+/** Bytes of a data file before the bytes that `byte skip` counts.
  * \throw MedialVoxelText::HeaderError when the file has fewer lines than are to be skipped */
 MedialVoxel_EXPORT std::uint64_t
 SkipMedialVoxelNrrdLines(const MedialVoxelNrrdHeader & header, const std::filesystem::path & dataFile);

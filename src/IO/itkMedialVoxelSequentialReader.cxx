@@ -14,12 +14,12 @@ namespace
 #if defined(_POSIX_ADVISORY_INFO) && _POSIX_ADVISORY_INFO > 0
 
 /** Linux cuts requests off at the read-ahead of the device, which is this much unless somebody changed it. */
-constexpr std::uint64_t BytesPerRequest = std::uint64_t{ 1 } << 17;
+constexpr std::uint64_t RequestSize = std::uint64_t{ 1 } << 17;
 
-/** More would only push out of the cache what others need. */
-constexpr std::uint64_t MaximumBytesAhead = std::uint64_t{ 1 } << 28;
+/** More would only displace other data from the cache. */
+constexpr std::uint64_t MaximumReadAhead = std::uint64_t{ 1 } << 28;
 
-/** Asks for a part of a file; a system that does not want to hear of it reads later. */
+/** Asks for a part of a file; a system that ignores it reads later. */
 void
 AskForPart(const std::filesystem::path & fileName, const std::uint64_t begin, const std::uint64_t end)
 {
@@ -33,9 +33,9 @@ AskForPart(const std::filesystem::path & fileName, const std::uint64_t begin, co
   {
     const FileStretch   stretch = holes.Find(position, end - position);
     const std::uint64_t stretchEnd = position + stretch.numberOfBytes;
-    for (; position < stretchEnd && !stretch.isHole; position += BytesPerRequest)
+    for (; position < stretchEnd && !stretch.isHole; position += RequestSize)
     {
-      const std::uint64_t count = std::min(BytesPerRequest, stretchEnd - position);
+      const std::uint64_t count = std::min(RequestSize, stretchEnd - position);
       posix_fadvise(descriptor, static_cast<off_t>(position), static_cast<off_t>(count), POSIX_FADV_WILLNEED);
     }
     position = stretchEnd;
@@ -45,11 +45,11 @@ AskForPart(const std::filesystem::path & fileName, const std::uint64_t begin, co
 
 /** Asks for bytes of a volume that lies in segments, as far as there are any. */
 void
-AskForBytes(const std::vector<MedialVoxelFileSegment> & segments,
-            const std::uint64_t                         begin,
-            const std::uint64_t                         numberOfBytes)
+RequestReadAhead(const std::vector<MedialVoxelFileSegment> & segments,
+                 const std::uint64_t                         begin,
+                 const std::uint64_t                         numberOfBytes)
 {
-  const std::uint64_t end = begin + std::min(numberOfBytes, MaximumBytesAhead);
+  const std::uint64_t end = begin + std::min(numberOfBytes, MaximumReadAhead);
   std::uint64_t       segmentBegin = 0;
   for (const MedialVoxelFileSegment & segment : segments)
   {
@@ -66,7 +66,7 @@ AskForBytes(const std::vector<MedialVoxelFileSegment> & segments,
 #else
 
 void
-AskForBytes(const std::vector<MedialVoxelFileSegment> &, std::uint64_t, std::uint64_t)
+RequestReadAhead(const std::vector<MedialVoxelFileSegment> &, std::uint64_t, std::uint64_t)
 {}
 
 #endif
@@ -86,7 +86,7 @@ MedialVoxelSequentialReader::Read(const MedialVoxelFileRegion &               re
     const std::uint64_t end = begin + region.GetBytesPerRun();
     if (begin == m_End)
     {
-      AskForBytes(segments, end, end - begin);
+      RequestReadAhead(segments, end, end - begin);
     }
     m_End = end;
   }

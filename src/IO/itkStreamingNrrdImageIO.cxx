@@ -79,7 +79,7 @@ KindOfPixelType(IOPixelEnum type, unsigned int components)
   return kind == "3D-symmetric-matrix" && components != 6 ? "vector" : kind;
 }
 
-/** Equal but for what the product of spacing and direction loses. */
+/** Equal within the rounding of the product of spacing and direction. */
 bool
 AreClose(const std::vector<double> & first, const std::vector<double> & second)
 {
@@ -124,7 +124,7 @@ StreamingNrrdImageIO::CanReadFile(const char * fileName)
   }
   catch (const HeaderError & error)
   {
-    // A damaged header is taken, to say what is wrong with it.
+    // A damaged header is accepted here, so that reading can report its error.
     return error.GetKind() == HeaderError::Kind::Corrupt;
   }
   return true;
@@ -399,7 +399,7 @@ StreamingNrrdImageIO::Write(const void * buffer)
 void
 StreamingNrrdImageIO::RefuseWriting(const std::runtime_error & cause)
 {
-  // What is left would look like a finished file.
+  // An unfinished file would look like a finished one.
   if (m_CreatedFile == m_FileName)
   {
     std::error_code ignored;

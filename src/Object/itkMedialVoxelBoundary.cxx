@@ -126,7 +126,7 @@ MedialVoxelComputeBoundary(const MedialVoxelBits &   object,
   std::vector<WordType> sum(static_cast<std::size_t>(words + 2));
   for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
   {
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
     rows.MoveTo(z);
     for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
     {

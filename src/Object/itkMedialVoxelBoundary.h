@@ -12,7 +12,7 @@ namespace itk
 /** \brief Boundary voxels of the object, for all voxels of a box.
  *
  * \param object    object voxels; its box holds \a box and a margin of 1 voxel, as far as the image goes
- * \param image     all voxels of the image; what lies outside is neither object nor background
+ * \param image     all voxels of the image; others are neither object nor background
  * \param kind      which side of the border is the boundary, see MedialVoxelEnums::Boundary
  * \param box       voxels to decide
  * \param boundary  result; its box holds \a box, in which its bits are clear

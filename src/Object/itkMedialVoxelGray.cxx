@@ -31,14 +31,14 @@ MedialVoxelGray::IsInPlace(const MedialVoxelBox & box) const
 }
 
 std::uint64_t
-MedialVoxelGray::GetBytesToReframe(const MedialVoxelBox & box, const MedialVoxelBox & room) const
+MedialVoxelGray::GetBytesToReframe(const MedialVoxelBox & box, const MedialVoxelBox & largestBox) const
 {
   const std::uint64_t old = m_Values.size() * sizeof(float);
-  return this->IsInPlace(box) ? old : old + std::max(GetBytes(box), GetBytes(room));
+  return this->IsInPlace(box) ? old : old + std::max(GetBytes(box), GetBytes(largestBox));
 }
 
 void
-MedialVoxelGray::Reframe(const MedialVoxelBox & box, const MedialVoxelBox & room)
+MedialVoxelGray::Reframe(const MedialVoxelBox & box, const MedialVoxelBox & largestBox)
 {
   const MedialVoxelBox shared = box.Intersection(m_Box);
   if (this->IsInPlace(box))
@@ -54,10 +54,10 @@ MedialVoxelGray::Reframe(const MedialVoxelBox & box, const MedialVoxelBox & room
     return;
   }
   MedialVoxelGray moved;
-  moved.Frame(box, room);
+  moved.Frame(box, largestBox);
   for (MedialVoxelBox slice = shared; slice.lower[2] < shared.upper[2]; ++slice.lower[2])
   {
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
     slice.upper[2] = slice.lower[2] + 1;
     moved.CopyRows(*this, slice);
   }
@@ -65,18 +65,19 @@ MedialVoxelGray::Reframe(const MedialVoxelBox & box, const MedialVoxelBox & room
 }
 
 std::uint64_t
-MedialVoxelGray::GetBytesToFrame(const MedialVoxelBox & box, const MedialVoxelBox & room) const
+MedialVoxelGray::GetBytesToFrame(const MedialVoxelBox & box, const MedialVoxelBox & largestBox) const
 {
-  return GetBytes(box) <= this->GetReservedBytes() ? this->GetReservedBytes() : std::max(GetBytes(box), GetBytes(room));
+  return GetBytes(box) <= this->GetReservedBytes() ? this->GetReservedBytes()
+                                                   : std::max(GetBytes(box), GetBytes(largestBox));
 }
 
 void
-MedialVoxelGray::Frame(const MedialVoxelBox & box, const MedialVoxelBox & room)
+MedialVoxelGray::Frame(const MedialVoxelBox & box, const MedialVoxelBox & largestBox)
 {
-  const std::uint64_t bytes = this->GetBytesToFrame(box, room);
+  const std::uint64_t bytes = this->GetBytesToFrame(box, largestBox);
   if (bytes != this->GetReservedBytes())
   {
-    // Freed before more is taken, so that both are never there at the same time.
+    // Free the old memory first, so that both never exist at the same time.
     std::vector<float>().swap(m_Values);
     m_Values.resize(static_cast<std::size_t>(bytes / sizeof(float)));
   }

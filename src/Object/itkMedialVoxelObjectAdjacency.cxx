@@ -44,14 +44,14 @@ MakePair(const MedialVoxelObjectAdjacency::ObjectType first, const MedialVoxelOb
   return first < second ? (std::uint32_t{ first } << 16 | second) : (std::uint32_t{ second } << 16 | first);
 }
 
-/** Pairs that are kept twice before they are sorted for the first time. */
+/** Pairs that may be stored twice before the first sort. */
 constexpr std::size_t MostUnsorted = std::size_t{ 1 } << 16;
 
 /** A power of two; the pair of 0 and 0 is none. */
 constexpr unsigned int BitsOfLastPairs = 12;
 
 /** \class Neighbors
- * \brief Those of each object, in one list. */
+ * \brief The neighbors of each object, in one list. */
 class Neighbors
 {
 public:
@@ -107,7 +107,7 @@ public:
     , m_Place(numberOfObjects + 1)
     , m_Heap(numberOfObjects)
   {
-    // Before the first pass is taken, those with most neighbors come first, and the smaller number.
+    // Before the first pass is chosen, objects with most neighbors come first, then smaller numbers.
     std::iota(m_Heap.begin(), m_Heap.end(), std::size_t{ 1 });
     std::stable_sort(m_Heap.begin(), m_Heap.end(), [&](const std::size_t a, const std::size_t b) {
       return neighbors.Count(a) > neighbors.Count(b);

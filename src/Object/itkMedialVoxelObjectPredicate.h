@@ -5,7 +5,7 @@
 
 #include "itkMedialVoxelBits.h"
 #include "itkMedialVoxelGray.h"
-#include "itkMedialVoxelLimit.h"
+#include "itkMedialVoxelExactNumber.h"
 #include "itkMedialVoxelRows.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace itk
 {
 
 /** \class MedialVoxelObjectPredicate
- * \brief Which pixel values are object, and the packing of rows of pixels into bits.
+ * \brief Decides which pixel values are object, and packs rows of pixels to bits.
  *
  * Every value but the background value is object, or one value, or every value from a lower to an upper limit. Limits
  * are compared as numbers: between two values of the pixel type they act like the next value inside, and beyond the
@@ -42,7 +42,7 @@ public:
     return predicate;
   }
 
-  /** The value \a value alone, exactly, also where double has no such number. */
+  /** Exactly \a value, even where it is no double. */
   static MedialVoxelObjectPredicate
   EqualTo(const TPixel value)
   {
@@ -55,7 +55,7 @@ public:
 
   /** The values v with lower <= v <= upper. */
   static MedialVoxelObjectPredicate
-  InRange(const MedialVoxelLimit & lower, const MedialVoxelLimit & upper)
+  InRange(const MedialVoxelExactNumber & lower, const MedialVoxelExactNumber & upper)
   {
     MedialVoxelObjectPredicate predicate;
     predicate.m_IsRange = true;
@@ -91,12 +91,12 @@ private:
   LimitType m_Upper{};
 };
 
-/** \brief True when all bytes of \a count pixels are zero, which for numbers means that all are 0.
+/** \brief True when all bytes of \a count pixels are zero, so that all numbers are 0.
  * \ingroup MedialVoxel
  */
 template <typename TPixel>
 bool
-MedialVoxelAllBytesAreZero(const TPixel * const pixels, const std::int64_t count)
+MedialVoxelAreAllZero(const TPixel * const pixels, const std::int64_t count)
 {
   constexpr std::size_t bytesPerWord = sizeof(std::uint64_t);
   const auto * const    bytes = reinterpret_cast<const unsigned char *>(pixels);
@@ -132,14 +132,14 @@ MedialVoxelPackRow(const TPixel *                    pixels,
   constexpr std::int64_t bitsPerWord = MedialVoxelBits::BitsPerWord;
   constexpr std::int64_t bitsPerByte = 8;
   const std::int64_t     end = x + count;
-  // Most of a volume is zero, which a look at whole words tells.
+  // Most of a volume is zero; comparing whole words finds that quickly.
   const bool skipsZeros = !predicate(TPixel{});
   for (std::int64_t begin = x; begin < end;)
   {
     const std::int64_t word = begin / bitsPerWord;
     const std::int64_t wordEnd = std::min((word + 1) * bitsPerWord, end);
     const std::int64_t first = begin % bitsPerWord;
-    if (skipsZeros && MedialVoxelAllBytesAreZero(pixels, wordEnd - begin))
+    if (skipsZeros && MedialVoxelAreAllZero(pixels, wordEnd - begin))
     {
       pixels += wordEnd - begin;
       begin = wordEnd;

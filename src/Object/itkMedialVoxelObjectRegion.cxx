@@ -31,7 +31,7 @@ GetIndex(const MedialVoxelBox & box, std::int64_t offset)
   };
 }
 
-/** Calls function(index) for a voxel and those around it that are in the box. */
+/** Calls function(index) for a voxel and its neighbors in the box. */
 template <typename TFunction>
 void
 ForEachAround(const MedialVoxelIndex & center, const MedialVoxelBox & box, TFunction && function)
@@ -50,15 +50,15 @@ ForEachAround(const MedialVoxelIndex & center, const MedialVoxelBox & box, TFunc
   }
 }
 
-/** What is known of the component of a voxel that no object has. */
+/** The component of a voxel of no object. */
 struct Component
 {
   std::uint64_t           voxels{ 0 };
   MedialVoxelObjectNumber object{ 0 }; ///< beside it
 };
 
-/** \param objects of the box; those that are not to be seen are 0
- * \param most voxels after which it is not followed any more */
+/** \param objects of the box; 0 for hidden ones
+ * \param most voxels that are followed */
 Component
 FollowComponent(const MedialVoxelBox &                       box,
                 const std::vector<MedialVoxelObjectNumber> & objects,

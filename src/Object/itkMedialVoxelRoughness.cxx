@@ -126,7 +126,7 @@ constexpr std::int64_t LeastSlices = 16;
 /** Rows that one thread reads, when it reads strips of them. */
 constexpr std::int64_t LeastRows = 32;
 
-/** Slices, or strips of rows when those are read together or there is one slice. */
+/** Slices, or strips of rows when rows are read together or there is one slice. */
 std::vector<MedialVoxelBox>
 Cut(const MedialVoxelBox & box, const std::int64_t rows)
 {

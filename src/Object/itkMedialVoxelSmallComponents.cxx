@@ -115,15 +115,15 @@ public:
   void
   Run(const MedialVoxelBox & seeds, const MedialVoxelBox & touched)
   {
-    // What begins at the edge of the bits is not known to be small.
+    // A component at the edge of the bits may be large.
     const MedialVoxelBox inner = this->InnerBox();
     const MedialVoxelBox box = seeds.Intersection(inner);
     for (std::int64_t z = box.lower[2]; z < box.upper[2] && !box.IsEmpty(); ++z)
     {
-      MedialVoxelPoll();
+      MedialVoxelCheckAbort();
       for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
       {
-        m_Poll.Count(static_cast<std::uint32_t>(box.Extent(0) / MedialVoxelBits::BitsPerWord + 1));
+        m_Checker.Count(static_cast<std::uint32_t>(box.Extent(0) / MedialVoxelBits::BitsPerWord + 1));
         this->ChangeFromRow(box, y, z, touched);
       }
     }
@@ -167,7 +167,7 @@ private:
       {
         continue;
       }
-      firsts = this->LeaveOutAfterOtherRows(firsts, w, ownY, ownZ);
+      firsts = this->KeepFirsts(firsts, w, ownY, ownZ);
       if (firsts == 0)
       {
         continue;
@@ -188,9 +188,9 @@ private:
     return m_Unit[0] == 0 ? 0 : (m_Bits.GetWord(w, y, z) << 1) | (m_Bits.GetWord(w - 1, y, z) >> 63);
   }
 
-  /** Bits of a word without a neighbor of their kind in a row before theirs. */
+  /** Bits of a word without a neighbor of their kind in an earlier row. */
   WordType
-  LeaveOutAfterOtherRows(WordType bits, const std::int64_t w, const std::int64_t y, const std::int64_t z) const
+  KeepFirsts(WordType bits, const std::int64_t w, const std::int64_t y, const std::int64_t z) const
   {
     const auto rowsBefore = [&](const std::int64_t word) {
       WordType sum = 0;
@@ -238,8 +238,8 @@ private:
     }
   }
 
-  /** Collects the component and inverts it on the way; false as soon as it is too large, reaches the edge of the bits
-   * or does not begin at the seed. */
+  /** Collects the component and inverts it; false as soon as it is too large, reaches the edge of the bits or does not
+   * begin at the seed. */
   bool
   InvertComponent(const Voxel & seed)
   {
@@ -249,7 +249,7 @@ private:
     this->Add(seed, first);
     for (std::size_t i = 0; i < m_Component.size(); ++i)
     {
-      m_Poll.Count();
+      m_Checker.Count();
       const Voxel voxel = m_Component[i];
       if (this->IsAtEdge(voxel))
       {
@@ -327,7 +327,7 @@ private:
   std::array<std::int64_t, 3> m_Lower; // of the edge, and none along axes of length 1
   std::array<std::int64_t, 3> m_Upper;
   std::vector<Voxel>          m_Component;
-  MedialVoxelPollCounter      m_Poll;
+  MedialVoxelAbortChecker     m_Checker;
 };
 
 } // namespace
@@ -345,7 +345,7 @@ MedialVoxelSmallComponents::MedialVoxelSmallComponents(const MedialVoxelGrid & g
 }
 
 std::uint64_t
-MedialVoxelSmallComponents::GetWorkspaceBytes(const MedialVoxelBox & box) const
+MedialVoxelSmallComponents::GetBytes(const MedialVoxelBox & box) const
 {
   return std::min(m_MaximumSize, static_cast<std::uint64_t>(box.NumberOfVoxels())) * sizeof(Voxel);
 }
@@ -361,7 +361,7 @@ MedialVoxelSmallComponents::Change(const MedialVoxelBox &  box,
   }
   const MedialVoxelBox seeds = box.Expanded(m_Margin).Intersection(object.GetBox());
   ComponentChange(m_Grid, m_MaximumSize, false, object, changed).Run(seeds, seeds);
-  // Beside the box it is not known which object components are surrounded by pores.
+  // Outside the box, object components may be surrounded by pores.
   ComponentChange(m_Grid, m_MaximumSize, true, object, changed).Run(seeds, box);
 }
 

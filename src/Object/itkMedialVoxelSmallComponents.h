@@ -22,19 +22,18 @@ namespace itk
  * that number becomes background. A component with a voxel at a face of the image stays: it may go on outside. Axes of
  * length 1 have no faces, and an image of a single voxel stays as it is.
  *
- * What becomes of a voxel depends on the voxels within GetMargin() alone. Two facts make that so. A component that
- * reaches farther is too large. And an object component next to pores that reach farther, without being that, cannot
- * be: its surroundings are connected, so that such a pore would be around all of it, and too large as well. A row of
- * voxels has two sides that are not connected, and twice the margin.
+ * The result of a voxel depends on the voxels within GetMargin() alone. A component that reaches farther is too large.
+ * A small object component cannot touch a pore that reaches farther: its surroundings are connected, so the pore would
+ * enclose all of it and be too large. A row of voxels has two sides that are not connected, and twice the margin.
  *
- * Bits may be changed part by part in any order, and new ones come to the parts that are done: filling a pore leaves
- * all other background components as they are, and removing dust only enlarges a component that stays.
+ * Bits may be changed part by part in any order, beside parts that are done: filling a pore leaves all other background
+ * components as they are, and removing dust only enlarges a component that stays.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelSmallComponents
 {
 public:
-  /** Changes components of at most \a maximumSize voxels, of which a list is kept; 0 changes nothing. */
+  /** Changes components of at most \a maximumSize voxels; 0 changes nothing. Keeps a list of so many voxels. */
   MedialVoxelSmallComponents(const MedialVoxelGrid & grid, std::uint64_t maximumSize);
 
   /** False when nothing is ever changed. */
@@ -53,9 +52,9 @@ public:
 
   /** Bytes taken meanwhile, beside the bits, for bits of \a box. */
   std::uint64_t
-  GetWorkspaceBytes(const MedialVoxelBox & box) const;
+  GetBytes(const MedialVoxelBox & box) const;
 
-  /** Change what is to be changed in \a box, with what it depends on in the margin; the bits hold both.
+  /** Change the small components in \a box. The bits hold the box and its margin.
    *
    * \param changed has the box of \a object; the bits of the voxels that change are inverted */
   void

@@ -21,15 +21,15 @@ MedialVoxelLabelInput::MedialVoxelLabelInput(MedialVoxelValueSource &          s
 {}
 
 void
-MedialVoxelLabelInput::ForEachPart(const MedialVoxelBox & box, const MedialVoxelValueSource::PartFunction & function)
+MedialVoxelLabelInput::ForEachSpan(const MedialVoxelBox & box, const MedialVoxelValueSource::SpanFunction & function)
 {
   MedialVoxelValueSource & source = this->GetSource();
   const std::size_t        bytesPerValue =
     MedialVoxelWithValueType(source.GetValueType(), [](const auto zero) { return sizeof(zero); });
-  for (const MedialVoxelBox & part : source.CutIntoParts(box, std::max(bytesPerValue, sizeof(MedialVoxelObjectNumber))))
+  for (const MedialVoxelBox & span : source.CutIntoSpans(box, std::max(bytesPerValue, sizeof(MedialVoxelObjectNumber))))
   {
-    MedialVoxelPoll();
-    source.WithBox(part, [&](const MedialVoxelValueView & view) { function(part, view); });
+    MedialVoxelCheckAbort();
+    source.WithBox(span, [&](const MedialVoxelValueView & view) { function(span, view); });
   }
 }
 
@@ -39,12 +39,12 @@ MedialVoxelLabelInput::Prepare(const Observer & observer)
   MedialVoxelLabelSurvey survey(m_Labels, m_Image.upper, m_MaximumPoreSize);
   const double           voxels = static_cast<double>(m_Image.NumberOfVoxels());
   double                 done = 0.0;
-  this->ForEachPart(m_Image, [&](const MedialVoxelBox & part, const MedialVoxelValueView & view) {
+  this->ForEachSpan(m_Image, [&](const MedialVoxelBox & span, const MedialVoxelValueView & view) {
     observer(done / voxels);
-    done += static_cast<double>(part.NumberOfVoxels());
+    done += static_cast<double>(span.NumberOfVoxels());
     MedialVoxelWithValueType(this->GetSource().GetValueType(), [&](const auto zero) {
       const auto * const first = static_cast<decltype(&zero)>(view.values);
-      MedialVoxelForEachRow(part, view.strides, [&](const std::int64_t offset, const MedialVoxelBox & row) {
+      MedialVoxelForEachRow(span, view.strides, [&](const std::int64_t offset, const MedialVoxelBox & row) {
         survey.Add(first + offset, static_cast<std::size_t>(row.Extent(0)));
       });
     });
@@ -57,10 +57,10 @@ MedialVoxelLabelInput::Prepare(const Observer & observer)
 void
 MedialVoxelLabelInput::ReadObjects(const MedialVoxelBox & box, MedialVoxelObjectNumber * objects)
 {
-  this->ForEachPart(box, [&](const MedialVoxelBox & part, const MedialVoxelValueView & view) {
+  this->ForEachSpan(box, [&](const MedialVoxelBox & span, const MedialVoxelValueView & view) {
     MedialVoxelWithValueType(this->GetSource().GetValueType(), [&](const auto zero) {
       const auto * const first = static_cast<decltype(&zero)>(view.values);
-      MedialVoxelForEachRow(part, view.strides, [&](const std::int64_t offset, const MedialVoxelBox & row) {
+      MedialVoxelForEachRow(span, view.strides, [&](const std::int64_t offset, const MedialVoxelBox & row) {
         const auto width = static_cast<std::size_t>(row.Extent(0));
         this->GetTable().Translate(first + offset, width, objects);
         objects += width;
@@ -78,18 +78,18 @@ MedialVoxelLabelInput::Fill(const MedialVoxelBox & box, const MedialVoxelTargets
   }
   MedialVoxelBits * const notANumber = this->GetShownPass() == 0 ? targets.notANumber : nullptr;
   const auto              isShown = [this](const MedialVoxelObjectNumber object) { return this->IsShown(object); };
-  this->ForEachPart(box, [&](const MedialVoxelBox & part, const MedialVoxelValueView & view) {
+  this->ForEachSpan(box, [&](const MedialVoxelBox & span, const MedialVoxelValueView & view) {
     MedialVoxelWithValueType(this->GetSource().GetValueType(), [&](const auto zero) {
       const auto * const                   first = static_cast<decltype(&zero)>(view.values);
-      std::vector<MedialVoxelObjectNumber> numbers(static_cast<std::size_t>(part.Extent(0)));
-      MedialVoxelForEachRow(part, view.strides, [&](const std::int64_t offset, const MedialVoxelBox & row) {
+      std::vector<MedialVoxelObjectNumber> numbers(static_cast<std::size_t>(span.Extent(0)));
+      MedialVoxelForEachRow(span, view.strides, [&](const std::int64_t offset, const MedialVoxelBox & row) {
         this->GetTable().Translate(first + offset, numbers.size(), numbers.data());
         MedialVoxelPackBox(numbers.data(), {}, row, isShown, *targets.object);
       });
       if (notANumber != nullptr)
       {
         const auto isNotANumber = [](const auto value) { return value != value; };
-        MedialVoxelPackBox(first, view.strides, part, isNotANumber, *notANumber);
+        MedialVoxelPackBox(first, view.strides, span, isNotANumber, *notANumber);
       }
     });
   });

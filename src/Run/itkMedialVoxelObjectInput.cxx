@@ -4,7 +4,7 @@
 
 #include "itkMedialVoxelObjectPredicate.h"
 #include "itkMedialVoxelProgress.h"
-#include "itkMedialVoxelSmoothing.h"
+#include "itkMedialVoxelSmoother.h"
 
 #include <algorithm>
 #include <cassert>
@@ -44,11 +44,11 @@ MakePredicate(const MedialVoxelObjectRule & rule)
   }
 }
 
-/** Packs values of a part to what is wanted of it. */
+/** Packs values of a span to the wanted targets. */
 template <typename TValue>
 void
 PackValues(const MedialVoxelValueView &               view,
-           const MedialVoxelBox &                     part,
+           const MedialVoxelBox &                     span,
            const MedialVoxelObjectPredicate<TValue> & predicate,
            const MedialVoxelTargets &                 targets)
 {
@@ -57,14 +57,14 @@ PackValues(const MedialVoxelValueView &               view,
     // Bits that stay clear need no look at each voxel.
     if (bits != nullptr && !(view.areEqual && !rule(*values)))
     {
-      MedialVoxelPackBox(values, view.strides, part, rule, *bits);
+      MedialVoxelPackBox(values, view.strides, span, rule, *bits);
     }
   };
   pack(predicate, targets.object);
   pack([](const TValue value) { return value != value; }, targets.notANumber);
   if (targets.gray != nullptr)
   {
-    MedialVoxelCopyBox(values, view.strides, part, *targets.gray);
+    MedialVoxelCopyBox(values, view.strides, span, *targets.gray);
   }
 }
 
@@ -80,7 +80,7 @@ FillSmoothed(MedialVoxelValueSource &                   source,
 {
   MedialVoxelSmoother<TValue, TSmoothingRule> smoother(image, rule);
   MedialVoxelForEachStrip(box, GetRowsOfStrip(source.GetRowsReadTogether()), [&](const MedialVoxelBox & part) {
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
     const MedialVoxelBox input = Numbers::GetInputBox(part, image);
     source.WithBox(input, [&](const MedialVoxelValueView & view) {
       const auto * const first = static_cast<const TValue *>(view.values);
@@ -141,9 +141,9 @@ MedialVoxelObjectInput::Fill(const MedialVoxelBox & box, const MedialVoxelTarget
     const auto predicate = MakePredicate<ValueType>(m_Rule);
     if (!this->IsSmoothed() || targets.object == nullptr)
     {
-      source.ForEachPart(box, [&](const MedialVoxelBox & part, const MedialVoxelValueView & view) {
-        MedialVoxelPoll();
-        PackValues(view, part, predicate, targets);
+      source.ForEachSpan(box, [&](const MedialVoxelBox & span, const MedialVoxelValueView & view) {
+        MedialVoxelCheckAbort();
+        PackValues(view, span, predicate, targets);
       });
       return;
     }
@@ -173,7 +173,7 @@ MedialVoxelObjectInput::SurveyScan(const MedialVoxelGrid &                      
                                    const std::optional<MedialVoxelScanLevels> & levels,
                                    const Observer &                             observer)
 {
-  // With these the survey stays below the smallest limit of memory.
+  // With these, the survey stays below the smallest memory limit.
   constexpr unsigned int mostThreads = 3;
   if (std::isfinite(lower) == std::isfinite(upper))
   {

@@ -30,18 +30,18 @@ MedialVoxelValueSource::GetSlicesReadTogether() const
 }
 
 void
-MedialVoxelValueSource::ForEachPart(const MedialVoxelBox & box, const PartFunction & function)
+MedialVoxelValueSource::ForEachSpan(const MedialVoxelBox & box, const SpanFunction & function)
 {
   const std::size_t bytesPerVoxel =
     MedialVoxelWithValueType(this->GetValueType(), [](const auto zero) { return sizeof(zero); });
-  for (const MedialVoxelBox & part : this->CutIntoParts(box, bytesPerVoxel))
+  for (const MedialVoxelBox & span : this->CutIntoSpans(box, bytesPerVoxel))
   {
-    this->WithBox(part, [&](const MedialVoxelValueView & view) { function(part, view); });
+    this->WithBox(span, [&](const MedialVoxelValueView & view) { function(span, view); });
   }
 }
 
 auto
-MedialVoxelValueSource::CutIntoParts(const MedialVoxelBox & box, const std::size_t bytesPerVoxel) const -> Boxes
+MedialVoxelValueSource::CutIntoSpans(const MedialVoxelBox & box, const std::size_t bytesPerVoxel) const -> Boxes
 {
   return CutForPull(box, bytesPerVoxel);
 }

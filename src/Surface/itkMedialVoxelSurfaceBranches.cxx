@@ -160,7 +160,7 @@ MedialVoxelSurfaceBranches::JoinSheets(const MedialVoxelSurfaceFaces & faces)
 }
 
 /** Distances below the length; the others stay infinite. The shortest sums do not depend on the order of the faces, so
- * that walking to and fro until nothing changes needs no queue. */
+ * sweeps to and fro until nothing changes need no queue. */
 void
 MedialVoxelSurfaceBranches::MeasureDistances(const float                     length,
                                              const MedialVoxelSurfaceFaces & faces,
@@ -198,7 +198,7 @@ MedialVoxelSurfaceBranches::MeasureDistances(const float                     len
   }
 }
 
-/** Gather at the roots what is known of the faces of a sheet. */
+/** Gather the flags of the faces of a sheet at its root. */
 void
 MedialVoxelSurfaceBranches::CollectFlags(const std::vector<float> & distances, const MedialVoxelSurfaceFaces & faces)
 {
@@ -213,7 +213,7 @@ MedialVoxelSurfaceBranches::CollectFlags(const std::vector<float> & distances, c
   });
 }
 
-/** Of the sheets that are short, those between junctions that do not touch. */
+/** The short sheets between junctions that do not touch. */
 void
 MedialVoxelSurfaceBranches::MarkBridges()
 {
@@ -256,10 +256,10 @@ MedialVoxelSurfaceBranches::MarkBridges()
 void
 MedialVoxelSurfaceBranches::MarkBranches()
 {
-  MedialVoxelPollCounter poll;
+  MedialVoxelAbortChecker checker;
   for (std::size_t face = 0; face < m_Flags.size(); ++face)
   {
-    poll.Count();
+    checker.Count();
     const std::uint8_t sheet = m_Flags[this->RootOf(static_cast<IndexType>(face))];
     if ((sheet & (HasRim | HasJunction | IsLong | IsBridge)) == (HasRim | HasJunction))
     {

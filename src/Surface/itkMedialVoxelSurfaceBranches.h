@@ -34,19 +34,19 @@ public:
 };
 
 /** \class MedialVoxelSurfaceBranches
- * \brief Finds the short branches of a surface, and tells what is left without them.
+ * \brief Finds the short branches of a surface, and the surface without them.
  *
  * Sides of more than two faces, the junctions, cut the surface into sheets: faces that share a side with one other face
  * are of one sheet, but for sides at a vertex where a junction ends. Junctions mostly end a side before the rims of
  * their sheets, which are rough; that side would join them. The distance of a vertex is that to the nearest vertex of
  * any junction, along sides and diagonals of faces. A sheet is a branch when it has both junctions and rims, its
  * junctions are connected with each other, and all of its vertices are nearer than the length. All branches are found
- * on the surface as it is and leave it together, so that what is found depends on no order:
+ * on the surface as it is and removed together, so the result depends on no order:
  * - A sheet without a rim lies between junctions, one without a junction is all of its component: both stay.
  * - A sheet between junctions that do not touch connects them and stays, however narrow it is.
  * - Where all sheets of a junction are short, all go.
  *
- * Sheets that a branch parted are one afterwards; branches of what is left are not looked for again.
+ * Sheets that a branch parted are one afterwards; the search is not repeated.
  *
  * Memory is 7 bytes for each face, 5 for each vertex and 48 for each side of a face that is a junction; there can be
  * 2^32 - 1 faces and vertices.
@@ -68,7 +68,7 @@ public:
   static std::uint64_t
   GetBytes(std::uint64_t vertices, std::uint64_t faces, std::uint64_t junctionSides);
 
-  /** Vertices that follow those known so far.
+  /** Further vertices.
    * \throw std::length_error when there are too many */
   void
   AddVertices(std::uint64_t number);
@@ -80,7 +80,7 @@ public:
   /** Find the branches, after the last face.
    *
    * \param length  in the units of the points, greater than 0
-   * \param faces   those that were added, in their order */
+   * \param faces   all added faces, in their order */
   void
   Find(double length, const MedialVoxelSurfaceFaces & faces);
 
@@ -90,7 +90,7 @@ public:
     return (m_Flags[face] & IsBranch) == 0;
   }
 
-  /** Marks of a face that is kept, among those that are. */
+  /** Marks of a kept face, among the kept faces. */
   Marks
   GetMarks(std::uint64_t face, const Marks & before) const;
 
@@ -101,7 +101,7 @@ public:
     return m_Numbers[vertex] != NoNumber;
   }
 
-  /** Number of a vertex that is kept among those that are. */
+  /** Number of a kept vertex among the kept vertices. */
   std::uint64_t
   NumberOf(const std::uint64_t vertex) const
   {
@@ -182,7 +182,7 @@ private:
   std::vector<std::uint8_t> m_Flags;   // of faces, of sheets at their roots
   std::vector<JunctionSide> m_Junctions;
   std::vector<JunctionSide> m_EndSides; // of two faces, at the ends of junctions
-  std::vector<IndexType>    m_Numbers;  // of vertices among those that are kept
+  std::vector<IndexType>    m_Numbers;  // of vertices among the kept ones
 };
 
 } // end namespace itk

@@ -120,11 +120,11 @@ MedialVoxelSurfaceBuilder::Link(Slice &                                     from
                                 const std::vector<MedialVoxelSurfaceCell> & to,
                                 const unsigned int                          direction)
 {
-  MedialVoxelPollCounter poll;
-  std::size_t            position = 0;
+  MedialVoxelAbortChecker checker;
+  std::size_t             position = 0;
   for (std::uint32_t i = 0; i < from.cells.size(); ++i)
   {
-    poll.Count();
+    checker.Count();
     // As they are numbered in the neighbor.
     const MedialVoxelSurfaceCell & cell = from.cells[i];
     const unsigned int             edges = Topology::MirroredEdges(cell.quads, direction);
@@ -186,11 +186,11 @@ MedialVoxelSurfaceBuilder::NeighborsToFollow(const Slice & slice, const std::uin
 void
 MedialVoxelSurfaceBuilder::FindNeighborsToFollow(Slice & slice)
 {
-  MedialVoxelPollCounter poll;
+  MedialVoxelAbortChecker checker;
   slice.followed.resize(slice.cells.size());
   for (std::uint32_t i = 0; i < slice.cells.size(); ++i)
   {
-    poll.Count();
+    checker.Count();
     slice.followed[i] = NeighborsToFollow(slice, i);
   }
 }
@@ -277,10 +277,10 @@ MedialVoxelSurfaceBuilder::Smooth(const std::size_t at)
     const unsigned int axis = direction / 2;
     stepOf[direction][axis] = direction % 2 == 0 ? -m_Spacing[axis] : m_Spacing[axis];
   }
-  MedialVoxelPollCounter poll;
+  MedialVoxelAbortChecker checker;
   for (std::uint32_t i = 0; i < slice.cells.size(); ++i)
   {
-    poll.Count();
+    checker.Count();
     const MedialVoxelSurfaceCell & cell = slice.cells[i];
     Vector                         sum{};
     double                         number = 0.0;
@@ -326,7 +326,7 @@ MedialVoxelSurfaceBuilder::HandOn(const std::size_t at)
   // A slice along a wall has many cells, whose results need not be in memory at the same time.
   for (std::uint32_t begin = 0; begin < numberOfCells;)
   {
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
     m_Vertices.clear();
     m_Quads.clear();
     while (begin < numberOfCells && m_Vertices.size() < CellsHandedOnAtATime)

@@ -19,10 +19,10 @@ namespace itk
  * \brief Joins the cells of a medial surface, smooths it and hands it on, slice by slice.
  *
  * Vertices are numbered in the order of their cells (z, y, x) and of their lowest edges, quadrilaterals follow in the
- * order of the lower voxels of their edges and of the axes. In each of five steps a vertex moves by 0.6 of the way to
- * the mean of those that MedialVoxelSurfaceTopology::NeighborsToFollow() names, then by 0.15 of the way to the plane
- * midway between its walls, or by the weight that is set. A step at a slice needs the step before at the two slices
- * beside it, so that a dozen slices are in memory, and how the cells come in pieces has no influence.
+ * order of the lower voxels of their edges and of the axes. In each of five steps a vertex moves 0.6 of the distance to
+ * the mean of MedialVoxelSurfaceTopology::NeighborsToFollow(), then 0.15 of the distance to the plane midway between
+ * its walls, or by the weight that is set. A step at a slice needs the step before at the two slices beside it, so a
+ * dozen slices are in memory, and the division into pieces has no influence.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelSurfaceBuilder
@@ -47,20 +47,19 @@ public:
                             const MedialVoxelGrid::SpacingType & spacing,
                             MedialVoxelSurfaceConsumer &         consumer);
 
-  /** Of the way to the plane midway between its walls, the part that a vertex goes in each step: 0 to 1, before the
-   * first slice. Default 0.15, for planes that are as rough as voxels. */
+  /** The share of the distance to the plane midway between its walls that a vertex moves in each step: 0 to 1, before
+   * the first slice. Default 0.15, for planes that are as rough as voxels. */
   void
   SetWeightOfPlane(const double weight)
   {
     m_WeightOfPlane = weight;
   }
 
-  /** Take all vertices in cells of slice \a z, in order; slices come in order, and those that are left out have none.
-   */
+  /** Take all vertices in cells of slice \a z, in order; slices come in order, and skipped slices have none. */
   void
   AddSlice(std::int64_t z, std::vector<MedialVoxelSurfaceCell> cells);
 
-  /** Hand on what is left, after the last slice. */
+  /** Hand on the rest, after the last slice. */
   void
   Finish();
 
@@ -77,7 +76,7 @@ private:
     MedialVoxelSurfaceTopology::EdgeMask edges;
   };
 
-  /** A slice in work. Of the neighbors only those are set that the surface joins. */
+  /** A slice in work. Only neighbors that the surface joins are set. */
   struct Slice
   {
     std::vector<MedialVoxelSurfaceCell>                        cells;
@@ -159,7 +158,7 @@ private:
   std::int64_t                 m_NextSlice{ 0 };
   std::uint64_t                m_NumberOfVertices{ 0 };
 
-  // What is handed on at a time.
+  // Handed on together.
   std::vector<MedialVoxelSurfaceVertex> m_Vertices;
   std::vector<MedialVoxelSurfaceQuad>   m_Quads;
 };

@@ -16,7 +16,7 @@ using EdgeMask = MedialVoxelSurfaceTopology::EdgeMask;
 namespace
 {
 
-/** Weight of the center of a cell against a pair, and the way of a vertex from it, in voxels. */
+/** Weight of the center of a cell against a pair, and the distance of a vertex from it, in voxels. */
 constexpr double Pull = 0.1;
 constexpr double Reach = 1.0;
 
@@ -71,7 +71,7 @@ MedialVoxelSurfaceCells::MedialVoxelSurfaceCells(const MedialVoxelGrid &        
 {}
 
 void
-MedialVoxelSurfaceCells::MeasureOnGrayValues(const MedialVoxelExtraction::GrayRange & range)
+MedialVoxelSurfaceCells::MeasureOnGrayValues(const MedialVoxelSheetExtraction::GrayRange & range)
 {
   m_Gray.emplace(m_PhysicalGrid, range.lower, range.upper, range.scan);
 }
@@ -93,11 +93,11 @@ MedialVoxelSurfaceCells::Find(const MedialVoxelClassifiedTile &     tile,
   }
   workspace.thickness.Clear();
   // Every cell of a quadrilateral has an object voxel among its corners.
-  MedialVoxelPollCounter poll;
+  MedialVoxelAbortChecker checker;
   for (const MedialVoxelCellRow & row : tile.rows)
   {
     constexpr std::uint32_t stepsPerRow = 256;
-    poll.Count(stepsPerRow);
+    checker.Count(stepsPerRow);
     for (WordType rest = row.candidates; rest != 0; rest &= rest - 1)
     {
       const int              x = MedialVoxelLowestBit(rest);
@@ -127,7 +127,7 @@ MedialVoxelSurfaceCells::Find(const MedialVoxelClassifiedTile &     tile,
   return missing;
 }
 
-/** Those of all faces whose four edges are crossed. */
+/** The splits of all faces whose four edges are crossed. */
 MedialVoxelSurfaceTopology::Splits
 MedialVoxelSurfaceCells::FindSplits(const MedialVoxelClassifiedTile & tile,
                                     const MedialVoxelIndex &          index,
@@ -167,7 +167,7 @@ MedialVoxelSurfaceCells::AddVertex(const MedialVoxelClassifiedTile &     tile,
   this->Place(tile, crossed, points, workspace, cells.back());
 }
 
-/** The edges of a cell that have four cells around them: those that do not lie in a face of the image. */
+/** The edges of a cell that have four cells around them, not in a face of the image. */
 EdgeMask
 MedialVoxelSurfaceCells::GetPossibleQuads(const MedialVoxelIndex & cell) const
 {
@@ -186,7 +186,7 @@ MedialVoxelSurfaceCells::GetPossibleQuads(const MedialVoxelIndex & cell) const
   return static_cast<EdgeMask>(mask);
 }
 
-/** Those of a medial cell; around others the two that are nearest to each other stand for the pair. */
+/** The pair of a medial cell; for others, the two points that are nearest to each other. */
 MedialVoxelWallPoints
 MedialVoxelSurfaceCells::GetWallPoints(const MedialVoxelClassifiedTile & tile,
                                        const MedialVoxelIndex &          index,
@@ -221,7 +221,7 @@ MedialVoxelSurfaceCells::GetWallPoints(const MedialVoxelClassifiedTile & tile,
   return points;
 }
 
-/** Sets a and b to those points at the ends of a crossed edge that are nearest to each other. */
+/** Sets a and b to the points at the ends of a crossed edge that are nearest to each other. */
 void
 MedialVoxelSurfaceCells::TakeNearestPair(const EdgeMask crossed, MedialVoxelWallPoints & points) const
 {

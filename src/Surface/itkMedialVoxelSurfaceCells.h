@@ -53,15 +53,15 @@ MedialVoxelIsBefore(const MedialVoxelSurfaceCell & a, const MedialVoxelSurfaceCe
  * \brief Finds the vertices and quadrilaterals of the medial surface at the cells of a tile.
  *
  * Each crossed edge of MedialVoxelSurfaceCrossings with four cells around it has a quadrilateral, and a cell of
- * quadrilaterals a vertex for each of their connected parts, as MedialVoxelSurfaceTopology tells: the
- * MedialVoxelSurfaceFit of the pairs N(v), N(w) of its crossed edges. All follows from the voxels of the cell alone, so
- * that tiles agree on what they share.
+ * quadrilaterals a vertex for each of their connected parts (MedialVoxelSurfaceTopology): the MedialVoxelSurfaceFit of
+ * the pairs N(v), N(w) of its crossed edges. All follows from the voxels of the cell alone, so tiles agree on shared
+ * cells.
  *
- * The thickness of a medial cell is that of MedialVoxelThickness. Of other cells, which rims and junctions use, and
- * where sheets pass each other, it is measured between the two nearest points of a pair.
+ * MedialVoxelThickness measures a medial cell. In other cells, which rims and junctions use, and where sheets pass each
+ * other, the thickness is measured between the two nearest points of a pair.
  *
- * On gray values MedialVoxelGrayBoundary moves the points of the pairs, of which the plane that is as far from both
- * walls counts, and the thickness is that of MedialVoxelGrayThickness.
+ * On gray values MedialVoxelGrayBoundary moves the points of the pairs, the plane that is as far from both walls
+ * counts, and MedialVoxelGrayThickness measures the thickness.
  *
  * Volumes in which an axis has a single voxel have no surface.
  * \ingroup MedialVoxel
@@ -80,7 +80,7 @@ public:
   };
 
   /** \param grid        the image in the units in which its cells are classified
-   *  \param parameters  those of the classification; whatever the bound, the surface is that of the geodesic distance
+   *  \param parameters  of the classification; whatever the bound, the geodesic distance defines the surface
    *  \param spacing     of the image in the units in which the surface is measured */
   MedialVoxelSurfaceCells(const MedialVoxelGrid &              grid,
                           const MedialVoxelParameters &        parameters,
@@ -88,7 +88,7 @@ public:
 
   /** Measure on the gray values that the tiles have. */
   void
-  MeasureOnGrayValues(const MedialVoxelExtraction::GrayRange & range);
+  MeasureOnGrayValues(const MedialVoxelSheetExtraction::GrayRange & range);
 
   /** The vertices in the cells of \a tile, in the order z, y, x of the cells and of the lowest edges.
    *

@@ -51,11 +51,11 @@ MedialVoxelSurfaceComponents::AddQuad(const std::array<std::uint64_t, 4> & verti
 void
 MedialVoxelSurfaceComponents::Keep(const std::uint64_t smallest)
 {
-  MedialVoxelPollCounter poll;
-  std::vector<bool>      kept(m_Entries.size());
+  MedialVoxelAbortChecker checker;
+  std::vector<bool>       kept(m_Entries.size());
   for (std::size_t vertex = 0; vertex < kept.size(); ++vertex)
   {
-    poll.Count();
+    checker.Count();
     const std::int64_t entry = m_Entries[this->RootOf(static_cast<std::int32_t>(vertex))];
     kept[vertex] = static_cast<std::uint64_t>(-1 - entry) >= smallest;
   }

@@ -13,8 +13,7 @@ namespace itk
 {
 
 /** \class MedialVoxelSurfaceComponents
- * \brief Finds the connected components of a surface while it comes in, and numbers the vertices of those that are
- * kept.
+ * \brief Finds the connected components of a surface while it comes in, and numbers the vertices of kept components.
  *
  * Quadrilaterals that share a vertex are of one component. Memory is 4 bytes for each vertex, of which there can be
  * 2^31 - 1.
@@ -23,7 +22,7 @@ namespace itk
 class MedialVoxel_EXPORT MedialVoxelSurfaceComponents
 {
 public:
-  /** Vertices that follow those known so far.
+  /** Further vertices.
    * \throw std::length_error when there are too many */
   void
   AddVertices(std::uint64_t number);
@@ -43,7 +42,7 @@ public:
     return m_Entries[vertex] >= 0;
   }
 
-  /** Number of a vertex that is kept among those that are. */
+  /** Number of a kept vertex among the kept vertices. */
   std::uint64_t
   NumberOf(const std::uint64_t vertex) const
   {

@@ -12,7 +12,7 @@ namespace itk
 namespace
 {
 
-/** Of the shortest step, that rounding may move a coordinate by. */
+/** Share of the shortest step by which rounding may move a coordinate. */
 constexpr double LargestRounding = 0.001;
 
 } // namespace

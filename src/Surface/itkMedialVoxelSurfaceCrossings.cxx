@@ -4,7 +4,7 @@
 
 #include "itkMedialVoxelProgress.h"
 #include "itkMedialVoxelResolutionBand.h"
-#include "itkMedialVoxelSpreadEdges.h"
+#include "itkMedialVoxelNontrivialEdges.h"
 
 #include <algorithm>
 #include <limits>
@@ -90,14 +90,14 @@ MedialVoxelSurfaceCrossings::Find(const MedialVoxelClassifiedTile & tile, Worksp
   workspace.ClearMasks();
   workspace.m_Edges.clear();
   workspace.m_Queries.clear();
-  const MedialVoxelBox   voxels = tile.classifier.GetCornerBox(tile.box);
-  MedialVoxelBox         missing;
-  MedialVoxelPollCounter poll;
+  const MedialVoxelBox    voxels = tile.classifier.GetCornerBox(tile.box);
+  MedialVoxelBox          missing;
+  MedialVoxelAbortChecker checker;
   for (std::int64_t z = voxels.lower[2]; z < voxels.upper[2]; ++z)
   {
     for (std::int64_t y = voxels.lower[1]; y < voxels.upper[1] && !tile.progress.IsAborted(); ++y)
     {
-      poll.Count(static_cast<std::uint32_t>(voxels.Extent(0)));
+      checker.Count(static_cast<std::uint32_t>(voxels.Extent(0)));
       this->FindInRow(tile, voxels, { 0, y, z }, workspace, missing);
       if (y + 1 < voxels.upper[1])
       {
@@ -113,7 +113,7 @@ MedialVoxelSurfaceCrossings::Find(const MedialVoxelClassifiedTile & tile, Worksp
   {
     missing = this->DecideTogether(tile, workspace);
   }
-  // After an abort, too: splits are looked for at whatever edges were found.
+  // After an abort, too: splits are searched at all found edges.
   if (this->IsAutomatic() && missing.IsEmpty())
   {
     this->FindThresholdsOfSplits(tile, workspace);
@@ -168,7 +168,7 @@ MedialVoxelSurfaceCrossings::TakeEdges(const MedialVoxelClassifiedTile & tile,
   const MedialVoxelDisplacementRows upper{ { lower[0] + toUpper, lower[1] + toUpper, lower[2] + toUpper } };
   if (m_Grid.GetLongestEdge() < m_Parameters.epsilon)
   {
-    edges = MedialVoxelSpreadEdges(lower, upper, axis, edges, number);
+    edges = MedialVoxelNontrivialEdges(lower, upper, axis, edges, number);
   }
   for (WordType rest = edges; rest != 0; rest &= rest - 1)
   {
@@ -212,7 +212,7 @@ MedialVoxelSurfaceCrossings::DecideFixed(const MedialVoxelClassifiedTile & tile,
   }
 }
 
-/** Decide an edge by what its cells tell, or by the smallest threshold; otherwise make a query of it. */
+/** Decide an edge by the bounds of its cells, or by the smallest threshold; otherwise make a query of it. */
 void
 MedialVoxelSurfaceCrossings::AddEdge(const MedialVoxelClassifiedTile & tile,
                                      const Workspace::Edge &           edge,
@@ -231,7 +231,7 @@ MedialVoxelSurfaceCrossings::AddEdge(const MedialVoxelClassifiedTile & tile,
   const MedialVoxelIndex                  b = pair.GetB();
   MedialVoxelJointClassifier::CrossedPair crossed{ pair.a, b, m_Parameters.epsilon, m_Parameters.epsilon };
   tile.classifier.GetJoint().LookAt(tile.classification.joint, tile.features, around, crossed);
-  // Where floods decide, no length is near the smallest threshold; of shorter ones cells often know no more than that.
+  // Where floods decide, no length is near the smallest threshold; for shorter ones cells often know only that.
   if ((m_Flood.IsAvailable() && crossed.bounds.longest <= m_Parameters.epsilon) ||
       crossed.bounds.FallShortOf(crossed.leastEpsilon))
   {
@@ -258,16 +258,16 @@ MedialVoxelSurfaceCrossings::AddEdge(const MedialVoxelClassifiedTile & tile,
   workspace.m_Edges.push_back(edge);
 }
 
-/** Decide the edges whose points no path joins that is shorter than any threshold which they can have. */
+/** Decide edges when no path between their points is shorter than any threshold they can have. */
 void
 MedialVoxelSurfaceCrossings::SeparateByLimits(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const
 {
   auto & queries = workspace.m_Queries;
-  // Where sites are missing for these thresholds, they need not be for the true ones.
+  // Sites that are missing for these thresholds may not be needed for the true ones.
   m_Separation.FindSeparated(*tile.window.sites, tile.progress, tile.classification.joint.GetSeparation(), queries);
-  MedialVoxelPollCounter poll;
-  const auto             isDecided = [&](MedialVoxelSeparationQuery & query) {
-    poll.Count();
+  MedialVoxelAbortChecker checker;
+  const auto              isDecided = [&](MedialVoxelSeparationQuery & query) {
+    checker.Count();
     if (query.isSeparated)
     {
       Mark(workspace.m_Edges[query.cell], workspace);
@@ -298,9 +298,9 @@ MedialVoxelSurfaceCrossings::DecideTogether(const MedialVoxelClassifiedTile & ti
     this->RaiseByBounds(workspace);
     m_Threshold.RaiseRadii(tile.classification.joint.GetSurvey(), workspace.m_Threshold);
   }
-  MedialVoxelPollCounter poll;
-  const auto             isDecided = [&](MedialVoxelSeparationQuery & query) {
-    poll.Count();
+  MedialVoxelAbortChecker checker;
+  const auto              isDecided = [&](MedialVoxelSeparationQuery & query) {
+    checker.Count();
     return this->DecideAtOnce(query, workspace);
   };
   queries.erase(std::remove_if(queries.begin(), queries.end(), isDecided), queries.end());
@@ -335,18 +335,18 @@ MedialVoxelSurfaceCrossings::FindRadii(const MedialVoxelClassifiedTile & tile, W
   m_Threshold.FindRadii(tile.features, workspace.m_Threshold);
 }
 
-/** Raise the radii of the cells to those whose thresholds all queries around them reach anyway, so that balls need not
- * raise them so far. */
+/** Raise the radii of the cells as far as all queries around them reach the thresholds anyway, so that balls need
+ * not. */
 void
 MedialVoxelSurfaceCrossings::RaiseByBounds(Workspace & workspace) const
 {
-  auto &                 threshold = workspace.m_Threshold;
-  std::vector<double> &  reached = workspace.m_ReachedRadii;
-  MedialVoxelPollCounter poll;
+  auto &                  threshold = workspace.m_Threshold;
+  std::vector<double> &   reached = workspace.m_ReachedRadii;
+  MedialVoxelAbortChecker checker;
   reached.assign(threshold.radii.size(), std::numeric_limits<double>::infinity());
   for (const MedialVoxelSeparationQuery & query : workspace.m_Queries)
   {
-    poll.Count();
+    checker.Count();
     const double            length = std::max(query.bounds.shortest, m_Cell.FreeSpaceLength(DifferenceOf(query)));
     const double            radius = m_Threshold.RadiusBelow(length * (1.0 - 3.0 * MedialVoxelResolutionBand));
     const Workspace::Edge & edge = workspace.m_Edges[query.cell];

@@ -43,7 +43,7 @@ public:
       return m_Masks[this->OffsetOf(cell)];
     }
 
-    /** The same, once: the next tile needs not clear what was taken. */
+    /** The same, once: the next tile need not clear the taken bits. */
     EdgeMask
     TakeCrossedEdges(const MedialVoxelIndex & cell)
     {
@@ -80,7 +80,7 @@ public:
     std::vector<EdgeMask> m_Masks; // at least as many
     bool                  m_HasMasks{ false };
 
-    /** Where edges are decided together: those that their cells and a flood do not decide, and thresholds of cells. */
+    /** Where edges are decided together: edges that their cells and a flood leave open, and thresholds of cells. */
     MedialVoxelLocalThreshold::Workspace    m_Threshold;
     std::vector<Edge>                       m_Edges;
     std::vector<MedialVoxelSeparationQuery> m_Queries;
@@ -90,7 +90,7 @@ public:
   };
 
   /** \param grid        the image in the units in which its cells are classified
-   *  \param parameters  those of the classification; whatever the bound, crossings are those of the geodesic distance
+   *  \param parameters  of the classification; whatever the bound, the geodesic distance defines the crossings
    */
   MedialVoxelSurfaceCrossings(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
 

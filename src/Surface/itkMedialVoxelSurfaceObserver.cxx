@@ -17,7 +17,7 @@ namespace
 
 using CellVector = std::vector<MedialVoxelSurfaceCell>;
 
-/** Cells of a slice up to which time matters more than memory: while it grows, and while it is sorted with a copy. */
+/** Cells of a slice up to which time matters more than memory, for growing and for sorting with a copy. */
 constexpr std::size_t MostCellsOfSmallSlice = std::size_t{ 1 } << 16;
 
 /** Vectors that double would take twice the memory. */
@@ -95,22 +95,21 @@ MedialVoxelSurfaceObserver::MedialVoxelSurfaceObserver(const MedialVoxelGrid &  
                                                        const MedialVoxelGrid::SpacingType & spacing,
                                                        const MedialVoxelSurfacePlacement &  placement,
                                                        MedialVoxelSurfaceConsumer &         consumer)
-  : m_WorkerBytesPerVoxel(GetWorkerBytesPerVoxel(grid, parameters))
+  : m_BytesPerVoxel(GetBytesPerVoxel(grid, parameters))
   , m_Kernel(grid, parameters, spacing)
   , m_Builder(placement, spacing, consumer)
   , m_Trimmer(m_Builder)
 {}
 
 void
-MedialVoxelSurfaceObserver::MeasureOnGrayValues(const MedialVoxelExtraction::GrayRange & range)
+MedialVoxelSurfaceObserver::MeasureOnGrayValues(const MedialVoxelSheetExtraction::GrayRange & range)
 {
   m_Kernel.MeasureOnGrayValues(range);
   m_Builder.SetWeightOfPlane(MedialVoxelSurfaceBuilder::WeightOfGrayPlane);
 }
 
 std::uint64_t
-MedialVoxelSurfaceObserver::GetWorkerBytesPerVoxel(const MedialVoxelGrid &       grid,
-                                                   const MedialVoxelParameters & parameters)
+MedialVoxelSurfaceObserver::GetBytesPerVoxel(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
 {
   return MedialVoxelSurfaceCrossings::GetBytesPerVoxel(grid, parameters) + MedialVoxelCellRow::BytesPerVoxel +
          sizeof(MedialVoxelSurfaceCell) / 16;
@@ -177,7 +176,7 @@ MedialVoxelSurfaceObserver::Commit()
   CellVector sorted;
   for (std::size_t slice = 0; slice < m_Pending.size(); ++slice)
   {
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
     auto & cells = m_Pending[slice];
     if (m_FindPart)
     {

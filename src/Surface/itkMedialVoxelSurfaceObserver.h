@@ -32,7 +32,7 @@ public:
  * \brief Builds the medial surface while an image is classified piece by piece.
  *
  * The pieces are whole slices and follow each other along the last axis. Their cells are kept until the piece is done;
- * then a MedialVoxelSurfaceTrimmer takes them, and a MedialVoxelSurfaceBuilder what is left.
+ * then a MedialVoxelSurfaceTrimmer takes them, and a MedialVoxelSurfaceBuilder the rest.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelSurfaceObserver : public MedialVoxelTileObserver
@@ -40,9 +40,9 @@ class MedialVoxel_EXPORT MedialVoxelSurfaceObserver : public MedialVoxelTileObse
 public:
   /** Bytes for each voxel of a tile that a worker takes for thin walls and their noise. */
   static std::uint64_t
-  GetWorkerBytesPerVoxel(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
+  GetBytesPerVoxel(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
 
-  /** The arguments are those of MedialVoxelSurfaceCells and MedialVoxelSurfaceBuilder. */
+  /** See MedialVoxelSurfaceCells and MedialVoxelSurfaceBuilder for the arguments. */
   MedialVoxelSurfaceObserver(const MedialVoxelGrid &              grid,
                              const MedialVoxelParameters &        parameters,
                              const MedialVoxelGrid::SpacingType & spacing,
@@ -51,7 +51,7 @@ public:
 
   /** As MedialVoxelSurfaceCells measures; vertices keep closer to the middle then. */
   void
-  MeasureOnGrayValues(const MedialVoxelExtraction::GrayRange & range) override;
+  MeasureOnGrayValues(const MedialVoxelSheetExtraction::GrayRange & range) override;
 
   /** Cells that an execution over more than one slice may find before it fails with MedialVoxelSurfacePieceError; it
    * can then be run again in smaller pieces. Default without limit. */
@@ -61,8 +61,8 @@ public:
     m_MaximumNumberOfCells = number;
   }
 
-  /** Have vertices tell the part of the image that \a find names for the index of their cell. It is called for the
-   * cells of an execution when that is done, by one thread. */
+  /** Give vertices the part of the image that \a find returns for the index of their cell. One thread calls it for the
+   * cells of an execution, after its end. */
   void
   FindPartsWith(std::function<std::uint16_t(const MedialVoxelIndex & cell)> find)
   {
@@ -70,9 +70,9 @@ public:
   }
 
   std::uint64_t
-  GetWorkerBytesPerVoxel() const override
+  GetBytesPerVoxel() const override
   {
-    return m_WorkerBytesPerVoxel;
+    return m_BytesPerVoxel;
   }
 
   std::unique_ptr<Workspace>
@@ -96,15 +96,15 @@ public:
   void
   Commit() override;
 
-  /** Hand on what is left, after the last piece. */
+  /** Hand on the rest, after the last piece. */
   void
   Finish();
 
 private:
-  /** The cells of the tile at hand, beside what finds them. */
+  /** The cells of the current tile, and the workspace that finds them. */
   struct Worker;
 
-  std::uint64_t             m_WorkerBytesPerVoxel;
+  std::uint64_t             m_BytesPerVoxel;
   MedialVoxelSurfaceCells   m_Kernel;
   MedialVoxelSurfaceBuilder m_Builder;
   MedialVoxelSurfaceTrimmer m_Trimmer;

@@ -73,11 +73,11 @@ MedialVoxelSurfaceCrossings::FindThresholdsOfSplits(const MedialVoxelClassifiedT
 {
   auto & cells = workspace.m_ThresholdCells;
   cells.clear();
-  MedialVoxelPollCounter poll;
+  MedialVoxelAbortChecker checker;
   // Every crossed edge has an object voxel, which is a corner of the cells around it.
   for (const MedialVoxelCellRow & row : tile.rows)
   {
-    poll.Count(static_cast<std::uint32_t>(MedialVoxelBits::BitsPerWord));
+    checker.Count(static_cast<std::uint32_t>(MedialVoxelBits::BitsPerWord));
     for (WordType rest = row.candidates; rest != 0; rest &= rest - 1)
     {
       const MedialVoxelIndex   cell{ { row.first[0] + MedialVoxelLowestBit(rest), row.first[1], row.first[2] } };
@@ -137,7 +137,7 @@ MedialVoxelSurfaceCrossings::FindSplit(const MedialVoxelClassifiedTile & tile,
   return evenAreOfOneSide ? Topology::AroundUneven : Topology::AroundEven;
 }
 
-/** Whether a pair across a face is apart, by what the cells on both sides of it tell. */
+/** Whether a pair across a face is apart, by the bounds of the cells on both sides of it. */
 auto
 MedialVoxelSurfaceCrossings::DecideByLimits(const MedialVoxelClassifiedTile & tile,
                                             const Face &                      face,

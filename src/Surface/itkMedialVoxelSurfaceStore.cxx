@@ -25,16 +25,16 @@ MedialVoxelSurfaceStore::RemoveBranches(const double length)
 {
   MedialVoxelSurfaceBranches branches;
   branches.AddVertices(m_Vertices.size());
-  MedialVoxelPollCounter poll;
+  MedialVoxelAbortChecker checker;
   for (const MedialVoxelSurfaceQuad & quad : m_Quads)
   {
-    poll.Count();
+    checker.Count();
     branches.AddFace(quad.vertices, { quad.rimSides, quad.junctionSides });
   }
   branches.Find(length, *this);
   for (std::size_t face = 0; face < m_Quads.size(); ++face)
   {
-    poll.Count();
+    checker.Count();
     MedialVoxelSurfaceQuad & quad = m_Quads[face];
     const auto               marks = branches.GetMarks(face, { quad.rimSides, quad.junctionSides });
     quad.rimSides = marks.rimSides;
@@ -50,10 +50,10 @@ MedialVoxelSurfaceStore::RemoveSmallComponents(const std::uint64_t smallest)
 {
   MedialVoxelSurfaceComponents components;
   components.AddVertices(m_Vertices.size());
-  MedialVoxelPollCounter poll;
+  MedialVoxelAbortChecker checker;
   for (const MedialVoxelSurfaceQuad & quad : m_Quads)
   {
-    poll.Count();
+    checker.Count();
     components.AddQuad(quad.vertices);
   }
   components.Keep(smallest);
@@ -66,11 +66,11 @@ template <typename TIsVertexKept, typename TIsQuadKept, typename TNumberOf>
 void
 MedialVoxelSurfaceStore::Keep(TIsVertexKept && isVertexKept, TIsQuadKept && isQuadKept, TNumberOf && numberOf)
 {
-  MedialVoxelPollCounter poll;
-  std::size_t            kept = 0;
+  MedialVoxelAbortChecker checker;
+  std::size_t             kept = 0;
   for (std::size_t vertex = 0; vertex < m_Vertices.size(); ++vertex)
   {
-    poll.Count();
+    checker.Count();
     if (isVertexKept(vertex))
     {
       m_Vertices[kept++] = m_Vertices[vertex];
@@ -80,7 +80,7 @@ MedialVoxelSurfaceStore::Keep(TIsVertexKept && isVertexKept, TIsQuadKept && isQu
   kept = 0;
   for (std::size_t face = 0; face < m_Quads.size(); ++face)
   {
-    poll.Count();
+    checker.Count();
     if (isQuadKept(face))
     {
       MedialVoxelSurfaceQuad & quad = m_Quads[kept++];
@@ -104,10 +104,10 @@ MedialVoxelSurfaceStore::HandOn(MedialVoxelSurfaceConsumer & consumer) const
 void
 MedialVoxelSurfaceStore::ForEachFace(const bool backwards, const Visitor & visit) const
 {
-  MedialVoxelPollCounter poll;
+  MedialVoxelAbortChecker checker;
   for (std::size_t i = 0; i < m_Quads.size(); ++i)
   {
-    poll.Count();
+    checker.Count();
     const VerticesType &     vertices = m_Quads[backwards ? m_Quads.size() - 1 - i : i].vertices;
     std::array<PointType, 4> points;
     for (unsigned int corner = 0; corner < 4; ++corner)

@@ -13,7 +13,7 @@ namespace itk
 {
 
 /** \class MedialVoxelSurfaceStore
- * \brief Keeps a surface in memory until all of it is known, and leaves out what is too short or too small.
+ * \brief Keeps a surface in memory until all of it is known, and removes short branches and small components.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelSurfaceStore
@@ -21,7 +21,7 @@ class MedialVoxel_EXPORT MedialVoxelSurfaceStore
   , private MedialVoxelSurfaceFaces
 {
 public:
-  /** \param roundsToFloat  whether lengths are those of vertices that are rounded to 32 bits, as in most files */
+  /** \param roundsToFloat  whether lengths are between vertices rounded to 32 bits, as in most files */
   explicit MedialVoxelSurfaceStore(bool roundsToFloat)
     : m_RoundsToFloat(roundsToFloat)
   {}
@@ -40,7 +40,7 @@ public:
   void
   RemoveSmallComponents(std::uint64_t smallest);
 
-  /** Hand on what is left. */
+  /** Hand on the rest. */
   void
   HandOn(MedialVoxelSurfaceConsumer & consumer) const;
 
@@ -48,7 +48,7 @@ private:
   void
   ForEachFace(bool backwards, const Visitor & visit) const override;
 
-  /** Take out what is not kept, and number the vertices anew. */
+  /** Remove the faces that are not kept, and number the vertices anew. */
   template <typename TIsVertexKept, typename TIsQuadKept, typename TNumberOf>
   void
   Keep(TIsVertexKept && isVertexKept, TIsQuadKept && isQuadKept, TNumberOf && numberOf);

@@ -156,20 +156,20 @@ public:
     return static_cast<EdgeMask>(direction % 2 == 0 ? afterNext << 1 | next << 2 : afterNext >> 1 | next >> 2);
   }
 
-  /** Quadrilaterals that two vertices share which are joined through the face in a direction.
+  /** Shared quadrilaterals of two vertices that are joined through the face in a direction.
    *
-   * \param quads   those of the one
-   * \param behind  those of the other, in that direction */
+   * \param quads   of the one
+   * \param behind  of the other, in that direction */
   static unsigned int
   QuadsBetween(const EdgeMask quads, const EdgeMask behind, const unsigned int direction)
   {
     return static_cast<unsigned int>(MedialVoxelPopulationCount(MirroredEdges(quads, direction) & behind));
   }
 
-  /** The neighbors, as bits, that a vertex follows when it is smoothed: all that it is joined to; at a rim those along
-   * the rim, where a junction of sheets those along the junction, none where both meet.
+  /** The neighbors, as bits, that a vertex follows when it is smoothed: all joined ones; at a rim or a junction of
+   * sheets only the ones along it, none where both meet.
    *
-   * \param counts  quadrilaterals at the side to each neighbor: those in the six directions, and the second ones there
+   * \param counts  quadrilaterals at the side to each neighbor: in the six directions, then the second ones there
    */
   static std::uint16_t
   NeighborsToFollow(const std::array<unsigned int, std::size_t{ 2 } * NumberOfDirections> & counts);

@@ -43,7 +43,7 @@ MedialVoxelSurfaceTrimmer::AddSlice(const std::int64_t z, std::vector<MedialVoxe
   }
   m_Newest.z = z;
   m_Newest.cells = std::move(cells);
-  // What goes has at least two vertices without other quadrilaterals.
+  // A removed quadrilateral has at least two vertices without others.
   this->TrimAtVerticesOf(m_Before);
   this->TrimAtVerticesOf(m_Newest);
   this->HandOnBefore();
@@ -57,7 +57,7 @@ MedialVoxelSurfaceTrimmer::Finish()
   m_Builder.Finish();
 }
 
-/** Mark those whose highest cell is in the newest slice and that have a vertex of \a slice for themselves. */
+/** Mark quadrilaterals whose highest cell is in the newest slice and that have a vertex of \a slice for themselves. */
 void
 MedialVoxelSurfaceTrimmer::TrimAtVerticesOf(const Slice & slice)
 {

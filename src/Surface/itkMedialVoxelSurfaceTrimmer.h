@@ -15,7 +15,7 @@ namespace itk
 /** \class MedialVoxelSurfaceTrimmer
  * \brief Takes single quadrilaterals off the rims and corners of a medial surface before it is built.
  *
- * Two kinds go, all at once, so that what goes depends on no order:
+ * Two kinds go, all at once, so the result depends on no order:
  * - a fin has one side with more than one other quadrilateral and no others at its other sides;
  * - a scrap has no others at any side, but shares a cell with another part of the surface, which it touched there.
  *
@@ -26,14 +26,14 @@ namespace itk
 class MedialVoxel_EXPORT MedialVoxelSurfaceTrimmer
 {
 public:
-  /** \param builder  gets what is left */
+  /** \param builder  gets the rest */
   explicit MedialVoxelSurfaceTrimmer(MedialVoxelSurfaceBuilder & builder);
 
   /** As MedialVoxelSurfaceBuilder::AddSlice(). */
   void
   AddSlice(std::int64_t z, std::vector<MedialVoxelSurfaceCell> cells);
 
-  /** Hand on what is left, and finish the builder. */
+  /** Hand on the rest, and finish the builder. */
   void
   Finish();
 

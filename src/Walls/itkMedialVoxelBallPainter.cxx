@@ -31,7 +31,7 @@ ToSize(const std::int64_t number)
 
 } // namespace
 
-/** A tile, and what is known of the voxels whose balls may reach it. */
+/** A tile, and the voxels whose balls may reach it. */
 struct MedialVoxelBallPainter::Tile
 {
   Box                         box;
@@ -84,7 +84,7 @@ MedialVoxelBallPainter::RankBalls(const Tile & tile) const
         }
       }
     }
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
   }
 }
 
@@ -106,7 +106,7 @@ MedialVoxelBallPainter::ListNeighbors(const Box & padded) const -> std::vector<N
       }
     }
   }
-  // Most balls are in one of those that share a face.
+  // Most balls are in the ball of a neighbor that shares a face.
   std::stable_sort(neighbors.begin(), neighbors.end(), [](const Neighbor & a, const Neighbor & b) {
     return MedialVoxelPopulationCount(a.axes) < MedialVoxelPopulationCount(b.axes);
   });
@@ -124,7 +124,7 @@ MedialVoxelBallPainter::IsInBallOfNeighbor(const std::uint32_t * const   ball,
   });
 }
 
-/** Whether a ball of the largest radius is covered by those around it but for its center, as is its own ball. */
+/** Whether the neighbors of a ball of the largest radius cover it except for its center. */
 bool
 MedialVoxelBallPainter::IsAmongLargest(const std::uint32_t * const ball, const std::vector<Neighbor> & neighbors) const
 {
@@ -134,7 +134,7 @@ MedialVoxelBallPainter::IsAmongLargest(const std::uint32_t * const ball, const s
   });
 }
 
-/** The balls that reach the tile and are not in those of their neighbors, the largest first. */
+/** The balls that reach the tile and are not in the ball of a neighbor, the largest first. */
 void
 MedialVoxelBallPainter::SortBalls(const Tile & tile) const
 {
@@ -167,7 +167,7 @@ MedialVoxelBallPainter::SortBalls(const Tile & tile) const
         {
           if (tile.box.Contains(center))
           {
-            tile.workspace.m_Open.CloseSpan(center[1], center[2], { center[0], center[0] + 1 }, diameter);
+            tile.workspace.m_Open.CloseRange(center[1], center[2], { center[0], center[0] + 1 }, diameter);
           }
         }
         else if (!this->IsInBallOfNeighbor(&ranks[place], neighbors))
@@ -176,7 +176,7 @@ MedialVoxelBallPainter::SortBalls(const Tile & tile) const
         }
       }
     }
-    MedialVoxelPoll();
+    MedialVoxelCheckAbort();
   }
   this->OrderByRank(tile.workspace);
 }
@@ -203,11 +203,11 @@ MedialVoxelBallPainter::OrderByRank(Workspace & workspace) const
 void
 MedialVoxelBallPainter::PaintBalls(const Tile & tile) const
 {
-  Workspace &            workspace = tile.workspace;
-  MedialVoxelPollCounter poll;
-  const std::int64_t     columns = tile.padded.Extent(0);
-  const std::int64_t     rows = tile.padded.Extent(1);
-  std::uint32_t          spansOf = 0;
+  Workspace &             workspace = tile.workspace;
+  MedialVoxelAbortChecker checker;
+  const std::int64_t      columns = tile.padded.Extent(0);
+  const std::int64_t      rows = tile.padded.Extent(1);
+  std::uint32_t           spansOf = 0;
   for (const std::uint32_t ball : workspace.m_Order)
   {
     const std::uint32_t rank = workspace.m_Ranks[ball];
@@ -220,7 +220,7 @@ MedialVoxelBallPainter::PaintBalls(const Tile & tile) const
       this->FindSpans(rank, workspace);
       spansOf = rank;
     }
-    poll.Count(StepsOfBall);
+    checker.Count(StepsOfBall);
     this->PaintBall(tile,
                     { { tile.padded.lower[0] + ball % columns,
                         tile.padded.lower[1] + ball / columns % rows,
@@ -265,7 +265,7 @@ MedialVoxelBallPainter::PaintBall(const Tile & tile, const Index & center, const
   workspace.m_Open.CloseBall(ball, diameter, [&](const std::int64_t y, const std::int64_t z) {
     const std::int32_t * const row = workspace.m_Spans.data() + std::abs(z - center[2]) * (this->GetMargin()[1] + 1);
     const std::int64_t         width = row[std::abs(y - center[1])];
-    return MedialVoxelOpenVoxels::Span{ center[0] - width, width < 0 ? center[0] : center[0] + width + 1 };
+    return MedialVoxelOpenVoxels::RowRange{ center[0] - width, width < 0 ? center[0] : center[0] + width + 1 };
   });
 }
 

@@ -69,8 +69,8 @@ public:
   }
 
   /** \param object    bits of the center box of the tile
-   * \param features   displacements of the object voxels of the center box to their nearest boundary voxels; those
-   *                   that are farther than the maximum may be missing
+   * \param features   displacements of the object voxels of the center box to their nearest boundary voxels; may be
+   *                   missing beyond the maximum
    * \param diameters  of the voxels of the tile, x fastest; 0 in background */
   void
   Paint(const MedialVoxelBox &      tile,
@@ -84,7 +84,7 @@ private:
 
   struct Neighbor
   {
-    unsigned int   axes; ///< bits of those along which it lies
+    unsigned int   axes; ///< bits of the axes along which it lies
     std::ptrdiff_t step; ///< to it in the ranks
   };
 

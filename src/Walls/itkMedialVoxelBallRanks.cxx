@@ -26,7 +26,7 @@ MedialVoxelBallRanks::MedialVoxelBallRanks(const MedialVoxelGrid & grid, const d
   this->RankDisplacements();
 }
 
-/** From the shortest to the longest displacement, of which all from the maximum on have the last rank. */
+/** From the shortest to the longest displacement; all from the maximum on have the last rank. */
 void
 MedialVoxelBallRanks::RankDisplacements()
 {
@@ -79,7 +79,8 @@ MedialVoxelBallRanks::RankDisplacements()
   }
 }
 
-/** A ball with this square of the radius, and for steps to neighbors what contains all of its voxels. */
+/** A ball with this square of the radius, and for each step to a neighbor the square that contains all of its
+ * voxels. */
 void
 MedialVoxelBallRanks::AddRank(const double square, const std::array<double, 8> & needed)
 {

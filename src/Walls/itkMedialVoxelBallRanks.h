@@ -80,7 +80,7 @@ private:
   std::vector<std::uint32_t> m_RankOfDisplacement; ///< by its absolute components, x fastest
   std::vector<double>        m_Squares;            ///< of the radii of the ranks
 
-  /** By axes and rank: the largest square of the distance from such a neighbor to a voxel of the ball. */
+  /** By axes and rank: the largest square of the distance from that neighbor to a voxel of the ball. */
   std::array<std::vector<double>, 8> m_Needed;
 };
 

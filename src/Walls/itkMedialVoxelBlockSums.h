@@ -44,7 +44,7 @@ TakeLowest(PackedSums & sums)
   return lowest;
 }
 
-/** What a slice of nine voxels of a block adds. Tables are faster than counting bits. */
+/** The contribution of a slice of nine voxels of a block. Tables are faster than counting bits. */
 struct Slices
 {
   std::array<std::array<PackedSums, SliceMask + 1>, 3> sums{};     // of each slice of a block

@@ -16,9 +16,9 @@ namespace
 using PositionType = MedialVoxelGrayBoundary::PositionType;
 
 PositionType
-Along(const PositionType & start, const PositionType & way, const double times)
+Along(const PositionType & start, const PositionType & line, const double times)
 {
-  return { { start[0] + times * way[0], start[1] + times * way[1], start[2] + times * way[2] } };
+  return { { start[0] + times * line[0], start[1] + times * line[1], start[2] + times * line[2] } };
 }
 
 } // namespace
@@ -110,10 +110,10 @@ struct MedialVoxelGrayBoundary::Field
     return true;
   }
 
-  /** Where the values rise through the threshold along a line, in multiples of \a way: nearest to the start, so that
-   * another wall behind a narrow gap does not count; false when they do not. */
+  /** The multiple of \a line from the start at which the values rise through the threshold; false when they do not. The
+   * nearest one, so that another wall behind a narrow gap does not count. */
   bool
-  FindCrossing(const PositionType & start, const PositionType & way, double & times) const
+  FindCrossing(const PositionType & start, const PositionType & line, double & times) const
   {
     constexpr double step = 0.25;
     constexpr int    first = -3;
@@ -126,7 +126,7 @@ struct MedialVoxelGrayBoundary::Field
     const int direction = here < 0.0 ? 1 : -1;
     for (int i = direction; i >= first && i <= last; i += direction)
     {
-      const PositionType position = Along(start, way, i * step);
+      const PositionType position = Along(start, line, i * step);
       if (!this->Reaches(position))
       {
         return false;
@@ -149,8 +149,8 @@ MedialVoxelGrayBoundary::MedialVoxelGrayBoundary(const MedialVoxelGrid & grid, c
   , m_Upper(upper)
 {}
 
-/** The mean of where the values cross the threshold on four lines along their gradient around the point. What a line
- * sees depends on where it passes between the voxels; half a voxel further it errs the other way. */
+/** The mean of the crossings of the threshold on four lines along the gradient around the point. The error of a line
+ * depends on its place between the voxels; half a voxel further it has the opposite sign. */
 auto
 MedialVoxelGrayBoundary::Find(const MedialVoxelGray &  gray,
                               const MedialVoxelIndex & point,
@@ -171,7 +171,7 @@ MedialVoxelGrayBoundary::Find(const MedialVoxelGray &  gray,
   {
     return mean;
   }
-  const PositionType way = this->ToVoxels(gradient);
+  const PositionType line = this->ToVoxels(gradient);
   PositionType       across[2];
   this->GetTangents(gradient, across);
   for (const double first : { -0.25, 0.25 })
@@ -180,9 +180,9 @@ MedialVoxelGrayBoundary::Find(const MedialVoxelGray &  gray,
     {
       const PositionType beside = Along(Along(start, across[0], first), across[1], second);
       double             times = 0.0;
-      if (field.FindCrossing(beside, way, times))
+      if (field.FindCrossing(beside, line, times))
       {
-        mean.position = Along(mean.position, Along(beside, way, times), 1.0);
+        mean.position = Along(mean.position, Along(beside, line, times), 1.0);
         mean.numberOfLines += 1.0;
       }
     }
@@ -203,7 +203,7 @@ MedialVoxelGrayBoundary::FindAround(const MedialVoxelGray & gray,
                                     double &                position) const
 {
   const Field        field{ gray, m_Grid, surface.isRising ? m_Lower : m_Upper, surface.isRising ? 1.0 : -1.0, box };
-  const PositionType way = this->ToVoxels(surface.normal);
+  const PositionType line = this->ToVoxels(surface.normal);
   PositionType       across[2];
   this->GetTangents(surface.normal, across);
   PositionType start; // in voxels
@@ -214,11 +214,11 @@ MedialVoxelGrayBoundary::FindAround(const MedialVoxelGray & gray,
   const auto find = [&](const double first, const double second, double & along) {
     const PositionType beside = Along(Along(start, across[0], first), across[1], second);
     double             times = 0.0;
-    if (!field.FindCrossing(beside, way, times))
+    if (!field.FindCrossing(beside, line, times))
     {
       return false;
     }
-    PositionType found = Along(beside, way, times);
+    PositionType found = Along(beside, line, times);
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
       found[axis] *= m_Grid.GetSpacing()[axis];
@@ -258,8 +258,8 @@ MedialVoxelGrayBoundary::ToVoxels(const PositionType & direction) const -> Posit
   return Along({ { 0.0, 0.0, 0.0 } }, voxels, 1.0 / largest);
 }
 
-/** Two directions in voxels along which the values do not change, the largest component of each 1, or 0 where an image
- * has no such direction. */
+/** Two directions in voxels along which the values do not change, with 1 as the largest component, or 0 where an image
+ * lacks the direction. */
 void
 MedialVoxelGrayBoundary::GetTangents(const PositionType & gradient, PositionType (&tangents)[2]) const
 {

@@ -50,9 +50,8 @@ public:
   Crossing
   Find(const MedialVoxelGray & gray, const MedialVoxelIndex & point, const PositionType & inwards) const;
 
-  /** Where a surface that is known about lies along its normal, as a length from voxel 0 along it: the mean of 16 lines
-   * around a place. What a line sees depends on where it passes between the voxels. The boundary points prefer some
-   * of these ways, the place here shall not.
+  /** Position of a known surface along its normal, from voxel 0: the mean of 16 lines around a place. The error of a
+   * line depends on its place between the voxels. Boundary points prefer some places; the mean does not.
    *
    * \param gray      values of the voxels of \a box that the image has
    * \param box       beyond which no value is read

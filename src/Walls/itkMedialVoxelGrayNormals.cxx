@@ -23,8 +23,8 @@ constexpr double       WindowSigma = 1.5;
 constexpr std::size_t Inner = 8;
 constexpr std::size_t Outer = 14;
 
-/** Blocks that are kept: those with the same index modulo these numbers take turns. A window has at most two along each
- * axis, and tiles seldom have more. */
+/** Blocks that are kept: blocks with the same index modulo these numbers take turns. A window has at most two along
+ * each axis, and tiles seldom have more. */
 constexpr std::int64_t Kept[3] = { 16, 8, 2 };
 
 /** The blocks that a voxel is in, along an axis. */

@@ -20,8 +20,8 @@ namespace itk
  * \brief Directions in which the gray values of an image change most. Lengths are in voxels.
  *
  * Places near each other share the gradients around them: gradients are computed once for a block of voxels, and kept
- * until another block needs the memory. They depend on the image alone, so that normals do not depend on what was asked
- * for before. Each thread has normals of its own. Beyond a face of the image the outermost voxels are continued.
+ * until another block needs the memory. They depend on the image alone, so the order of requests does not change
+ * normals. Each thread has normals of its own. Beyond a face of the image the outermost voxels are continued.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelGrayNormals

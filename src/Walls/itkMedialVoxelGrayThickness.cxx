@@ -16,7 +16,7 @@ namespace
 using PositionType = MedialVoxelGrayBoundary::PositionType;
 using Crossing = MedialVoxelGrayBoundary::Crossing;
 
-/** Adds a crossing to the sums of its side, as often as lines found it. */
+/** Adds a crossing to the sums of its side, once for each line that found it. */
 void
 AddTo(Crossing & side, const Crossing & crossing)
 {
@@ -45,9 +45,9 @@ constexpr double DeviationOfPlace = 0.03;
 constexpr double DeviationOfLevels = 0.01;
 
 PositionType
-Along(const PositionType & start, const PositionType & way, const double times)
+Along(const PositionType & start, const PositionType & line, const double times)
 {
-  return { { start[0] + times * way[0], start[1] + times * way[1], start[2] + times * way[2] } };
+  return { { start[0] + times * line[0], start[1] + times * line[1], start[2] + times * line[2] } };
 }
 
 PositionType
@@ -234,7 +234,7 @@ MedialVoxelGrayThickness::RefineByFit(const MedialVoxelGray &       gray,
                                       Workspace &                   workspace,
                                       MedialVoxelWall &             wall) const
 {
-  if (!m_Model || wall.isRim)
+  if (!m_Model || wall.isUnpaired)
   {
     return false;
   }
@@ -273,7 +273,7 @@ MedialVoxelGrayThickness::RefineByFit(const MedialVoxelGray &       gray,
   return true;
 }
 
-/** Whether planes with a normal, in voxels, lie across the way between both sides, in the units of the spacing. */
+/** Whether planes with a normal, in voxels, lie across the line between both sides, in the units of the spacing. */
 bool
 MedialVoxelGrayThickness::LeadsAcross(const PositionType & normal, const Sides & sides) const
 {

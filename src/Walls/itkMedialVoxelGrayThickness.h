@@ -22,16 +22,16 @@ namespace itk
  *
  * With a known scan, walls of up to 6 voxels are fitted by MedialVoxelWallFit along the direction in which the values
  * around the cell change most, or measured between the valleys to other walls. Of thicker walls both surfaces are
- * fitted, and the thickness is the way between them through the center of the cell. Both have an uncertainty: half of
- * the interval that holds 95 % of the true thicknesses, from the noise, 0.03 voxels for the place between the voxels
- * and 1 % of the thickness for the levels. The fit is in voxels, so that the blur counts in voxels, too. At rims, and
- * where the values have no such wall, the measure below is kept.
+ * fitted, and the thickness is the distance between them through the center of the cell. Both have an uncertainty: half
+ * of the interval that holds 95 % of the true thicknesses, from the noise, 0.03 voxels for the place between the voxels
+ * and 1 % of the thickness for the levels. The fit is in voxels, so that the blur counts in voxels, too. Where sides
+ * are unpaired, and where the values have no wall, the measure below is kept.
  *
  * Without a scan, each boundary point of the cell's corners is moved by MedialVoxelGrayBoundary to where the values
  * cross the threshold. The line through the center of the cell in the mean direction of the gradients meets the
- * surfaces around the means of both sides. The thickness is the way between them. Where a side has no crossing within
- * two voxels, the measurement on the object is kept; rims are found on the object. Walls do not reach the value of
- * their material when they are thinner than about three times the blur: the threshold cuts them too thin.
+ * surfaces around the means of both sides. The thickness is the distance between them. Where a side has no crossing
+ * within two voxels, the measurement on the object is kept; unpaired sides are found on the object. Walls do not reach
+ * the value of their material when they are thinner than about three times the blur: the threshold cuts them too thin.
  * doc/explanation/accuracy.md has the errors of both.
  * \ingroup MedialVoxel
  */
@@ -56,7 +56,7 @@ public:
 
   /** Object are the voxels from \a lower to \a upper, of which one may be infinite.
    *
-   * \param scan  what the values are made of, when that is known */
+   * \param scan  the materials of the values, when known */
   MedialVoxelGrayThickness(const MedialVoxelGrid &        grid,
                            double                         lower,
                            double                         upper,
@@ -66,8 +66,7 @@ public:
   MedialVoxelBox
   GetReadBox(const MedialVoxelWallPoints & points) const;
 
-  /** Where the values cross the threshold next to the boundary points; not next to those that are on
-   * no side.
+  /** The crossings of the threshold next to the boundary points that are on a side.
    *
    * \param gray  values of GetReadBox(points) */
   Crossings
@@ -88,7 +87,7 @@ public:
          Workspace &                   workspace,
          MedialVoxelWall &             wall) const;
 
-  /** What moves the points. */
+  /** Moves the points. */
   const MedialVoxelGrayBoundary &
   GetBoundary() const
   {
@@ -98,7 +97,7 @@ public:
 private:
   using PositionType = MedialVoxelGrayBoundary::PositionType;
 
-  /** Direction from the boundary points nearer to a to those nearer to b, in the units of the spacing. */
+  /** Direction from the boundary points nearer to a to the points nearer to b, in the units of the spacing. */
   PositionType
   GetDirection(const MedialVoxelWallPoints & points) const;
 
@@ -115,7 +114,7 @@ private:
   bool
   LeadsAcross(const PositionType & normal, const Sides & sides) const;
 
-  /** What a fit found, in voxels. */
+  /** The result of a fit, in voxels. */
   struct Fitted;
 
   std::optional<Fitted>

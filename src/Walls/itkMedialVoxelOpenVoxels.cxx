@@ -56,7 +56,8 @@ MedialVoxelOpenVoxels::IsDone() const
 void
 MedialVoxelOpenVoxels::CloseRest(const float value)
 {
-  this->CloseBall(m_Box, value, [this](std::int64_t, std::int64_t) { return Span{ m_Box.lower[0], m_Box.upper[0] }; });
+  this->CloseBall(
+    m_Box, value, [this](std::int64_t, std::int64_t) { return RowRange{ m_Box.lower[0], m_Box.upper[0] }; });
 }
 
 void

@@ -25,7 +25,7 @@ class MedialVoxelOpenVoxels
 {
 public:
   /** Voxels of a row from \a lower up to but without \a upper; none when that is not above. */
-  struct Span
+  struct RowRange
   {
     std::int64_t lower;
     std::int64_t upper;
@@ -43,23 +43,23 @@ public:
 
   /** Gives a value to the open voxels of a part of a row. */
   void
-  CloseSpan(const std::int64_t y, const std::int64_t z, const Span & span, const float value)
+  CloseRange(const std::int64_t y, const std::int64_t z, const RowRange & range, const float value)
   {
-    const std::int64_t first = (span.lower - m_Box.lower[0]) / MedialVoxelBits::BitsPerWord;
-    const std::int64_t last = (span.upper - 1 - m_Box.lower[0]) / MedialVoxelBits::BitsPerWord;
+    const std::int64_t first = (range.lower - m_Box.lower[0]) / MedialVoxelBits::BitsPerWord;
+    const std::int64_t last = (range.upper - 1 - m_Box.lower[0]) / MedialVoxelBits::BitsPerWord;
     for (std::int64_t word = first; word <= last; ++word)
     {
-      this->CloseInWord(y, z, word, span, value);
+      this->CloseInWord(y, z, word, range, value);
     }
   }
 
   /** Gives a value to the open voxels of a ball.
    * \param ball     box that holds it, around its center
-   * \param getSpan  getSpan(y, z) returns its Span in a row of that box; those of rows nearer to the center hold those
-   * of farther ones */
-  template <typename TGetSpan>
+   * \param getRange  getRange(y, z) returns its RowRange in a row of that box; ranges shrink with the distance of the
+   * row from the center */
+  template <typename TGetRange>
   void
-  CloseBall(const MedialVoxelBox & ball, const float value, TGetSpan && getSpan)
+  CloseBall(const MedialVoxelBox & ball, const float value, TGetRange && getRange)
   {
     const MedialVoxelBox part = ball.Intersection(m_Box);
     if (part.IsEmpty())
@@ -77,9 +77,9 @@ public:
         for (brick[0] = bricks.lower[0]; brick[0] < bricks.upper[0]; ++brick[0])
         {
           const OpenLines & open = m_OpenLines[this->GetPlaceOfBrick(brick)];
-          if (open.rows != 0 && this->MayHoldOpen(part, brick, open, y, z, getSpan))
+          if (open.rows != 0 && this->MayHoldOpen(part, brick, open, y, z, getRange))
           {
-            this->CloseInBrick(brick, part, value, getSpan);
+            this->CloseInBrick(brick, part, value, getRange);
           }
         }
       }
@@ -102,14 +102,14 @@ private:
   };
 
   /** Whether the nearest row to the center of a ball that may be open is covered where a column may be. */
-  template <typename TGetSpan>
+  template <typename TGetRange>
   bool
   MayHoldOpen(const MedialVoxelBox &   part,
               const MedialVoxelIndex & brick,
               const OpenLines &        open,
               const std::int64_t       centerY,
               const std::int64_t       centerZ,
-              TGetSpan &&              getSpan) const
+              TGetRange &&             getRange) const
   {
     const MedialVoxelIndex first = this->GetFirstVoxel(brick);
     std::uint64_t          rowsOfSlice = open.rows | open.rows >> 32;
@@ -124,13 +124,13 @@ private:
     {
       return false;
     }
-    const Span span = getSpan(y, z);
-    return (open.columns & MedialVoxelBits::RangeMask(0, span.lower - first[0], span.upper - first[0])) != 0;
+    const RowRange range = getRange(y, z);
+    return (open.columns & MedialVoxelBits::RangeMask(0, range.lower - first[0], range.upper - first[0])) != 0;
   }
 
-  template <typename TGetSpan>
+  template <typename TGetRange>
   void
-  CloseInBrick(const MedialVoxelIndex & brick, const MedialVoxelBox & part, const float value, TGetSpan && getSpan)
+  CloseInBrick(const MedialVoxelIndex & brick, const MedialVoxelBox & part, const float value, TGetRange && getRange)
   {
     const MedialVoxelIndex first = this->GetFirstVoxel(brick);
     OpenLines &            open = m_OpenLines[this->GetPlaceOfBrick(brick)];
@@ -143,7 +143,7 @@ private:
       const int          row = MedialVoxelLowestBit(rows);
       const std::int64_t y = first[1] + row % BrickSize;
       const std::int64_t z = first[2] + row / BrickSize;
-      hasClosed |= this->CloseInWord(y, z, brick[0], getSpan(y, z), value);
+      hasClosed |= this->CloseInWord(y, z, brick[0], getRange(y, z), value);
     }
     if (hasClosed)
     {
@@ -162,11 +162,15 @@ private:
 
   /** Returns whether any voxel was open. */
   bool
-  CloseInWord(const std::int64_t y, const std::int64_t z, const std::int64_t word, const Span & span, const float value)
+  CloseInWord(const std::int64_t y,
+              const std::int64_t z,
+              const std::int64_t word,
+              const RowRange &   range,
+              const float        value)
   {
     std::uint64_t &     open = m_Open[this->GetPlaceOfRow(y, z) + static_cast<std::size_t>(word)];
     const std::int64_t  first = m_Box.lower[0] + word * MedialVoxelBits::BitsPerWord;
-    const std::uint64_t wanted = open & MedialVoxelBits::RangeMask(0, span.lower - first, span.upper - first);
+    const std::uint64_t wanted = open & MedialVoxelBits::RangeMask(0, range.lower - first, range.upper - first);
     if (wanted != 0)
     {
       open &= ~wanted;
@@ -209,7 +213,7 @@ private:
                (voxel[2] - m_Box.lower[2]) / BrickSize } };
   }
 
-  /** In those of its brick. */
+  /** In the voxels of its brick. */
   std::uint64_t
   GetBitOfRow(const std::int64_t y, const std::int64_t z) const
   {

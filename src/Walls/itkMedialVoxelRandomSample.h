@@ -23,7 +23,7 @@ MedialVoxelHash(std::uint64_t number)
 }
 
 /** \class MedialVoxelRandomSample
- * \brief As many items of a set as wanted: those whose hashes are smallest.
+ * \brief As many items of a set as wanted, with the smallest hashes.
  *
  * The same items remain in whatever order and division they come.
  * \ingroup MedialVoxel

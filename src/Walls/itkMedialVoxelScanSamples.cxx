@@ -23,13 +23,13 @@ using SurfaceSample = MedialVoxelScanSamples::Surface;
 constexpr std::size_t FewestLevels = 200;
 constexpr std::size_t FewestSurfaces = 60;
 
-/** Fewer means around background do not tell which are usual. */
+/** With fewer means around background, outliers cannot be found. */
 constexpr std::size_t FewestMeans = 2000;
 
 /** From material to the faces of its wall, in units of the blur: there the value is lower by 1 %. */
 constexpr double SmallestWay = 2.7;
 
-/** Blur of a scan; that of a mask, and of walls that are averaged over the voxels alone, is less. */
+/** Blur of a scan; masks, and walls that are only averaged over the voxels, have less. */
 constexpr double SmallestBlur = 0.4;
 constexpr double LargestBlur = 3.0;
 
@@ -143,7 +143,7 @@ FindMaterial(const std::vector<MaterialSample> & samples)
   return std::nullopt;
 }
 
-/** Ratio of a variance of means to that of independent values, at least 1. */
+/** Ratio of a variance of means to the variance for independent values, at least 1. */
 double
 FindCorrelation(const std::vector<BackgroundSample> & samples,
                 double BackgroundSample::* const mean,
@@ -191,7 +191,7 @@ FindBlur(std::vector<SurfaceSample> & surfaces, const MedialVoxelScan & scan)
     }
     if (IsClean(surface, limit))
     {
-      MedialVoxelPoll();
+      MedialVoxelCheckAbort();
       blurs.push_back(MedialVoxelWallFit::FitBlur(surface).value_or(0.0));
     }
   }

@@ -16,7 +16,7 @@ namespace itk
 {
 
 /** \class MedialVoxelScanSamples
- * \brief Values of a scan that tell what it is made of, as MedialVoxelScanSurvey takes them.
+ * \brief Values of a scan that MedialVoxelScanSurvey takes to find its materials.
  * \ingroup MedialVoxel
  */
 struct MedialVoxelScanSamples
@@ -61,7 +61,7 @@ struct MedialVoxelScanSamples
   MedialVoxelRandomSample<Surface>    surfaces{ NumberOfSurfaces };
   Faces                               faces;
 
-  /** Whether more of them would hardly change what they say. */
+  /** Whether more of them would hardly change the result. */
   bool
   AreEnough() const
   {
@@ -89,7 +89,7 @@ struct MedialVoxelScanSamples
   }
 };
 
-/** \brief What the samples say of a scan; takes them.
+/** \brief The survey of the samples of a scan; takes them.
  * \ingroup MedialVoxel
  */
 MedialVoxelScanSurvey::Result

@@ -42,13 +42,13 @@ constexpr std::int64_t FarFromLargeMean = 6;
 /** Voxels around a block that must be there. */
 constexpr std::int64_t Margin = 9;
 
-/** Voxels of a row that are passed over at once when they are far from the object. */
+/** Voxels of a row that are skipped at once when they are far from the object. */
 constexpr std::int64_t StepOfRow = 64;
 
 /** Faces of some object voxels are looked at, chosen by their place. */
 constexpr std::uint64_t ObjectVoxelsPerLook = 4;
 
-/** A row of voxels, and a surface, take as long as so many short steps. */
+/** Time of a row of voxels, and of a surface, in short steps. */
 constexpr std::uint32_t StepsOfRow = 128;
 constexpr std::uint32_t StepsOfSurface = 128;
 
@@ -113,7 +113,7 @@ public:
     {
       for (voxel[1] = block.lower[1]; voxel[1] < block.upper[1]; ++voxel[1])
       {
-        m_Poll.Count(StepsOfRow);
+        m_Checker.Count(StepsOfRow);
         for (voxel[0] = block.lower[0]; voxel[0] < block.upper[0];)
         {
           const std::int64_t end = std::min(voxel[0] + StepOfRow, block.upper[0]);
@@ -173,7 +173,7 @@ private:
   void
   CountFaces(const Index & voxel, Samples::Faces & faces)
   {
-    m_Poll.Count();
+    m_Checker.Count();
     for (unsigned int direction = 0; direction < 6; ++direction)
     {
       const unsigned int axis = direction / 2;
@@ -242,7 +242,7 @@ private:
       {
         return;
       }
-      m_Poll.Count(StepsOfSurface);
+      m_Checker.Count(StepsOfSurface);
       Vector place;
       Vector inwards;
       Vector normal;
@@ -270,19 +270,19 @@ private:
     }
   }
 
-  /** Whether there is room for flat sides along an axis: normals take long to find, and most surfaces of thin walls
-   * have none. \a inside is the object voxel of a face, \a outside its other voxel. */
+  /** Whether flat sides fit along an axis: normals take long to find, and most surfaces of thin walls have none. \a
+   * inside is the object voxel of a face, \a outside its other voxel. */
   bool
   MayBeFlat(const Index & inside, const Index & outside) const
   {
-    for (std::int64_t way = 2; way <= 4; ++way)
+    for (std::int64_t steps = 2; steps <= 4; ++steps)
     {
       Index inwards;
       Index outwards;
       for (unsigned int axis = 0; axis < 3; ++axis)
       {
-        inwards[axis] = inside[axis] + way * (inside[axis] - outside[axis]);
-        outwards[axis] = outside[axis] + way * (outside[axis] - inside[axis]);
+        inwards[axis] = inside[axis] + steps * (inside[axis] - outside[axis]);
+        outwards[axis] = outside[axis] + steps * (outside[axis] - inside[axis]);
       }
       if ((m_Grid.GetVoxelBox().Contains(inwards) && !m_Object.Test(inwards)) ||
           (m_Grid.GetVoxelBox().Contains(outwards) && m_Object.Test(outwards)))
@@ -297,14 +297,14 @@ private:
   bool
   IsFlat(const Vector & place, const Vector & normal) const
   {
-    for (double way = Samples::NearestFlat; way <= Samples::FarthestFlat; way += 0.5)
+    for (double distance = Samples::NearestFlat; distance <= Samples::FarthestFlat; distance += 0.5)
     {
       for (const double side : { -1.0, 1.0 })
       {
         Index voxel;
         for (unsigned int axis = 0; axis < 3; ++axis)
         {
-          voxel[axis] = static_cast<std::int64_t>(std::floor(place[axis] + side * way * normal[axis] + 0.5));
+          voxel[axis] = static_cast<std::int64_t>(std::floor(place[axis] + side * distance * normal[axis] + 0.5));
         }
         if (m_Grid.GetVoxelBox().Contains(voxel) && m_Object.Test(voxel) != (side > 0.0))
         {
@@ -334,7 +334,7 @@ private:
     for (const Neighbor & neighbor : m_Neighbors)
     {
       const Index at{ { voxel[0] + neighbor.offset[0], voxel[1] + neighbor.offset[1], voxel[2] + neighbor.offset[2] } };
-      m_Poll.Count();
+      m_Checker.Count();
       if (!m_Grid.GetVoxelBox().Contains(at) || !m_Object.Test(at))
       {
         return neighbor.distance;
@@ -368,7 +368,7 @@ private:
   MedialVoxelGrayNormals        m_Normals;
   const MedialVoxelBits &       m_Object;
   const MedialVoxelGray &       m_Gray;
-  MedialVoxelPollCounter        m_Poll;
+  MedialVoxelAbortChecker       m_Checker;
 };
 
 /** All of a small image, otherwise some, in the order of their hashes. */

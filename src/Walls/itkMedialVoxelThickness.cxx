@@ -35,22 +35,21 @@ struct Side
   MedialVoxelIndex inwards{};   // sum of the offsets of the object voxels
 };
 
-/** The offsets whose bits are 1 higher than that of the center, and so on, each as far along a direction as the one of
- * the bit that is as much lower is along the opposite. */
+/** Pairs of opposite offsets: their bits are as far above and below the bit of the center. */
 constexpr unsigned int NumberOfOffsetPairs = 13;
 
-/** The ways along \a inwards of the offsets that are higher than the center. */
+/** Products of \a inwards with the offsets that are higher than the center. */
 std::array<double, NumberOfOffsetPairs>
-WaysAlong(const PositionType & inwards)
+ProjectOffsets(const PositionType & inwards)
 {
   const auto & [x, y, z] = inwards;
   const double                            inSlice[9] = { -x - y, -y, x - y, -x, 0.0, x, y - x, y, x + y };
-  std::array<double, NumberOfOffsetPairs> ways{ { x, inSlice[6], y, inSlice[8] } };
+  std::array<double, NumberOfOffsetPairs> projections{ { x, inSlice[6], y, inSlice[8] } };
   for (unsigned int bit = 0; bit < BitsOfSlice; ++bit)
   {
-    ways[4 + bit] = inSlice[bit] + z;
+    projections[4 + bit] = inSlice[bit] + z;
   }
-  return ways;
+  return projections;
 }
 
 /** Offsets that lead out of a wall by more than a quarter of a voxel.
@@ -60,20 +59,20 @@ BlockType
 OffsetsOutOf(const PositionType & inwards)
 {
   const double slack = 0.25 * std::sqrt(inwards[0] * inwards[0] + inwards[1] * inwards[1] + inwards[2] * inwards[2]);
-  const auto   ways = WaysAlong(inwards);
+  const auto   projections = ProjectOffsets(inwards);
   BlockType    upper = 0;
   BlockType    lower = 0;
-  // Opposite offsets lead as far the other way.
+  // Opposite offsets have the opposite sign.
   for (unsigned int i = 0; i < NumberOfOffsetPairs; ++i)
   {
-    upper |= (ways[i] < -slack ? BlockType{ 1 } : 0) << i;
-    lower |= (ways[i] > slack ? BlockType{ 1 } : 0) << (NumberOfOffsetPairs - 1 - i);
+    upper |= (projections[i] < -slack ? BlockType{ 1 } : 0) << i;
+    lower |= (projections[i] > slack ? BlockType{ 1 } : 0) << (NumberOfOffsetPairs - 1 - i);
   }
   return upper << (CenterOfBlock + 1) | lower;
 }
 
-/** By how much the distance of a plane from the center of a block of 3 voxels grows, for each third of the block that
- * it cuts off, near the center: the inverse of the area of a unit cube's section.
+/** Growth of the distance of a plane from the center of a block of 3 voxels, for each third of the block that it cuts
+ * off, near the center: the inverse of the area of a unit cube's section.
  *
  * \param normal  in voxels, times the length that a voxel has along it */
 double
@@ -87,7 +86,7 @@ GetStep(const PositionType & normal)
 
 /** Whether the surfaces of both sides are far from parallel. */
 bool
-IsRim(const Side (&sides)[2], const MedialVoxelGrid::SpacingType & spacing)
+AreUnpaired(const Side (&sides)[2], const MedialVoxelGrid::SpacingType & spacing)
 {
   constexpr double leastCosine = 0.8;
   double           dot = 0.0;
@@ -157,12 +156,12 @@ MedialVoxelThickness::MedialVoxelThickness(const MedialVoxelGrid & grid)
   }
 }
 
-struct MedialVoxelThickness::Span
+struct MedialVoxelThickness::SidePair
 {
   Side                  sides[2];
-  std::array<double, 2> numbers; // of points
-  PositionType          way;     // from the mean of one side to that of the other
-  PositionType          across;  // in voxels, times the distance
+  std::array<double, 2> numbers;      // of points
+  PositionType          displacement; // from the mean of one side to that of the other
+  PositionType          across;       // in voxels, times the distance
   double                distance;
   double                step; // of Direction
 };
@@ -194,18 +193,18 @@ MedialVoxelThickness::GetBlock(const MedialVoxelBits & object, const MedialVoxel
 }
 
 void
-MedialVoxelThickness::FindWaysOut(Direction & direction)
+MedialVoxelThickness::FindOffsetsOut(Direction & direction)
 {
   direction.out[0] = OffsetsOutOf(direction.across);
   direction.out[1] = Mirror(direction.out[0]);
   direction.knowsOut = true;
 }
 
-/** In thin walls the blocks of points beside a rim reach over it: there both surfaces seem to lean the same way.
- * The points of these pairs belong to no side, unless all pairs are so. */
+/** In thin walls the blocks of points beside a rim reach over it: both surfaces seem to lean to the same side there.
+ * The points of these pairs belong to no side, unless all pairs are like that. */
 template <typename TBlockAt>
 auto
-MedialVoxelThickness::LeaveOutEdges(const MedialVoxelWallPoints & wall, TBlockAt && blockAt)
+MedialVoxelThickness::FindSidesWithoutEdges(const MedialVoxelWallPoints & wall, TBlockAt && blockAt)
   -> MedialVoxelWallPoints::SidesType
 {
   const MedialVoxelWallPoints::SidesType sideOf = wall.GetSides();
@@ -236,10 +235,10 @@ MedialVoxelThickness::LeaveOutEdges(const MedialVoxelWallPoints & wall, TBlockAt
 
 template <typename TBlockAt>
 auto
-MedialVoxelThickness::FindSpan(const MedialVoxelWallPoints &            wall,
-                               const MedialVoxelWallPoints::SidesType & sideOf,
-                               Direction &                              direction,
-                               TBlockAt &&                              blockAt) const -> Span
+MedialVoxelThickness::FindSides(const MedialVoxelWallPoints &            wall,
+                                const MedialVoxelWallPoints::SidesType & sideOf,
+                                Direction &                              direction,
+                                TBlockAt &&                              blockAt) const -> SidePair
 {
   MedialVoxelIndex positions[2] = {}; // sums of them, seen from a
   std::int64_t     numbersOfPoints[2] = {};
@@ -268,38 +267,38 @@ MedialVoxelThickness::FindSpan(const MedialVoxelWallPoints &            wall,
     }
   }
 
-  Span span;
-  span.numbers = { { static_cast<double>(numbersOfPoints[0]), static_cast<double>(numbersOfPoints[1]) } };
+  SidePair pair;
+  pair.numbers = { { static_cast<double>(numbersOfPoints[0]), static_cast<double>(numbersOfPoints[1]) } };
   const auto & spacing = m_Grid.GetSpacing();
   double       squaredDistance = 0.0;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    const double way = (static_cast<double>(positions[1][axis]) / span.numbers[1] -
-                        static_cast<double>(positions[0][axis]) / span.numbers[0]) *
-                       spacing[axis];
-    span.way[axis] = way;
-    span.across[axis] = way * spacing[axis];
-    squaredDistance += way * way;
+    const double displacement = (static_cast<double>(positions[1][axis]) / pair.numbers[1] -
+                                 static_cast<double>(positions[0][axis]) / pair.numbers[0]) *
+                                spacing[axis];
+    pair.displacement[axis] = displacement;
+    pair.across[axis] = displacement * spacing[axis];
+    squaredDistance += displacement * displacement;
   }
-  span.distance = std::sqrt(squaredDistance);
+  pair.distance = std::sqrt(squaredDistance);
 
   // Walls side by side often have the same.
-  if (span.across != direction.across)
+  if (pair.across != direction.across)
   {
-    direction.across = span.across;
-    direction.step = GetStep(span.across);
+    direction.across = pair.across;
+    direction.step = GetStep(pair.across);
     direction.knowsOut = false;
   }
-  span.step = direction.step;
+  pair.step = direction.step;
   for (; doubtful != 0; doubtful &= doubtful - 1)
   {
     const auto corner = static_cast<unsigned int>(MedialVoxelLowestBit(doubtful));
     const auto side = sideOf[corner];
     if (!direction.knowsOut)
     {
-      FindWaysOut(direction);
+      FindOffsetsOut(direction);
     }
-    // Those of another wall behind a narrow gap: out of the wall, with one at the opposite offset.
+    // Voxels of another wall behind a narrow gap: out of the wall, with one at the opposite offset.
     const Block &   block = blockAt(wall.corners[corner]);
     const BlockType ofOtherWall = block.opposite & direction.out[side];
     const BlockType voxels = block.voxels & ~ofOtherWall;
@@ -307,46 +306,46 @@ MedialVoxelThickness::FindSpan(const MedialVoxelWallPoints &            wall,
   }
   for (unsigned int side = 0; side < 2; ++side)
   {
-    span.sides[side] = { numbersOfPoints[side], sums[side], m_BlockVoxels };
+    pair.sides[side] = { numbersOfPoints[side], sums[side], m_BlockVoxels };
   }
-  return span;
+  return pair;
 }
 
 float
-MedialVoxelThickness::ThicknessOf(const Span & span) const
+MedialVoxelThickness::ThicknessOf(const SidePair & pair) const
 {
   // The block is three voxels long; a share of one half puts the plane through its center.
-  const double excess = static_cast<double>(span.sides[0].excess) / span.numbers[0] +
-                        static_cast<double>(span.sides[1].excess) / span.numbers[1];
-  const double toFaces = 1.5 * excess / m_BlockVoxels * (span.step / span.distance);
-  return static_cast<float>(std::max(m_Smallest, span.distance - toFaces));
+  const double excess = static_cast<double>(pair.sides[0].excess) / pair.numbers[0] +
+                        static_cast<double>(pair.sides[1].excess) / pair.numbers[1];
+  const double toFaces = 1.5 * excess / m_BlockVoxels * (pair.step / pair.distance);
+  return static_cast<float>(std::max(m_Smallest, pair.distance - toFaces));
 }
 
-/** Points on the end of a wall tell that it is one, and nothing of its thickness. */
+/** Points on the end of a wall mark it as unpaired and do not count for its thickness. */
 template <typename TBlockAt>
 MedialVoxelWall
 MedialVoxelThickness::MeasureWall(const MedialVoxelWallPoints & wall, Direction & direction, TBlockAt && blockAt) const
 {
-  const auto      sideOf = LeaveOutEdges(wall, blockAt);
+  const auto      sideOf = FindSidesWithoutEdges(wall, blockAt);
   const auto      nearerSideOf = wall.GetNearerSides();
-  const Span      span = this->FindSpan(wall, sideOf, direction, blockAt);
+  const SidePair  pair = this->FindSides(wall, sideOf, direction, blockAt);
   MedialVoxelWall measured;
   double          longest = 0.0;
   double          extent = 0.0; // of a cell across the wall, times the distance
-  const auto &    across = span.across;
+  const auto &    across = pair.across;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    const double way = span.way[axis];
+    const double displacement = pair.displacement[axis];
     extent += std::abs(across[axis]);
-    measured.axis = static_cast<std::uint8_t>(std::abs(way) > longest ? axis : measured.axis);
-    longest = std::max(longest, std::abs(way));
+    measured.axis = static_cast<std::uint8_t>(std::abs(displacement) > longest ? axis : measured.axis);
+    longest = std::max(longest, std::abs(displacement));
   }
   const auto & spacing = m_Grid.GetSpacing();
-  measured.thickness = this->ThicknessOf(span);
-  measured.area = static_cast<float>(m_CellVolume * span.distance / extent);
-  measured.isRim = sideOf == nearerSideOf
-                     ? IsRim(span.sides, spacing)
-                     : IsRim(this->FindSpan(wall, nearerSideOf, direction, blockAt).sides, spacing);
+  measured.thickness = this->ThicknessOf(pair);
+  measured.area = static_cast<float>(m_CellVolume * pair.distance / extent);
+  measured.isUnpaired = sideOf == nearerSideOf
+                          ? AreUnpaired(pair.sides, spacing)
+                          : AreUnpaired(this->FindSides(wall, nearerSideOf, direction, blockAt).sides, spacing);
   return measured;
 }
 
@@ -374,7 +373,7 @@ MedialVoxelThickness::MeasureThickness(const MedialVoxelBits &       object,
   const auto blockAt = [&](const MedialVoxelIndex & point) -> const Block & {
     return this->RecallBlock(object, point, memory);
   };
-  return this->ThicknessOf(this->FindSpan(wall, wall.GetNearerSides(), memory.m_Direction, blockAt));
+  return this->ThicknessOf(this->FindSides(wall, wall.GetNearerSides(), memory.m_Direction, blockAt));
 }
 
 std::uint32_t

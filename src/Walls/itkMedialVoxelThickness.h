@@ -18,16 +18,16 @@ namespace itk
 {
 
 /** \struct MedialVoxelWall
- * \brief What is measured of the wall at a medial cell.
+ * \brief The measured wall at a medial cell.
  * \ingroup MedialVoxel
  */
 struct MedialVoxel_EXPORT MedialVoxelWall
 {
-  float        thickness{ 0.0f }; ///< in the units of the grid's spacing, greater than 0
-  float        area{ 0.0f };      ///< of the mid-surface that the cell stands for, in squared units; in 2-D a length
-  std::uint8_t axis{ 0 };         ///< the axis that the way through the wall is longest along
-  bool         isRim{ false };    ///< the two sides do not face each other, so that the thickness is not that of a wall
-  bool         isUnresolved{ false }; ///< the gray values are those of several walls that the blur has joined
+  float        thickness{ 0.0f };   ///< in the units of the grid's spacing, greater than 0
+  float        area{ 0.0f };        ///< of the mid-surface that the cell stands for, in squared units; in 2-D a length
+  std::uint8_t axis{ 0 };           ///< the axis along which the displacement through the wall is longest
+  bool         isUnpaired{ false }; ///< the two sides do not face each other, so the thickness belongs to no wall
+  bool         isUnresolved{ false }; ///< the blur has joined several walls in the gray values
   float        uncertainty{ std::numeric_limits<float>::quiet_NaN() }; ///< half width of the 95 % interval of the
                                                                        ///< thickness; NaN: not known
 
@@ -35,7 +35,7 @@ struct MedialVoxel_EXPORT MedialVoxelWall
   bool
   IsMeasured() const
   {
-    return !isRim && !isUnresolved;
+    return !isUnpaired && !isUnresolved;
   }
 
   /** The thickness, or the negative of it where it is not that of a wall, as in the map. */
@@ -50,26 +50,26 @@ struct MedialVoxel_EXPORT MedialVoxelWall
  * \brief Thickness of a wall at a medial cell, measured on the binary object.
  *
  * The boundary points of the corners are split into two sides, see MedialVoxelWallPoints::GetSides(). Where a and b are
- * at most 3.46 voxels apart, both points of a pair are left out whose surfaces lean the same way by more than 21.8
- * degrees: the voxels around them reach over the edge of the wall. The thickness is the distance of the means of both
- * sides, less the way from the boundary voxels' centers to the faces of the wall. That way follows from the share of
- * object voxels among the 3^D voxels around each point: a plane across the direction of the wall that cuts off this
- * share. Another wall behind a gap of one voxel does not count: of two object voxels that lie opposite each other
- * around a point, one that is more than a quarter of a voxel on the far side of the point is left out. Walls parallel
- * to an axis are measured exactly; doc/explanation/accuracy.md has the errors of others.
+ * at most 3.46 voxels apart, both points of a pair do not count when their surfaces lean to the same side by more than
+ * 21.8 degrees: the voxels around them reach over the edge of the wall. The thickness is the distance of the means of
+ * both sides, less the distance from the boundary voxels' centers to the faces of the wall. That distance follows from
+ * the share of object voxels among the 3^D voxels around each point: a plane across the direction of the wall that cuts
+ * off this share. Another wall behind a gap of one voxel does not count: of two object voxels that lie opposite each
+ * other around a point, one that is more than a quarter of a voxel on the far side of the point is left out. Walls
+ * parallel to an axis are measured exactly; doc/explanation/accuracy.md has the errors of others.
  *
- * The cell is at a rim when the two sides do not face each other, with all points on the side of the nearer one of a
- * and b, see MedialVoxelWallPoints::GetNearerSides(): the sums of the directions from the boundary points to the object
- * voxels around them are more than 36.9 degrees (a cosine of 0.8) from opposite. There the points of the cell are on
- * the end of the wall too, or of several walls that meet, and the thickness is that of none. The smallest thickness is
- * a 64th of the smallest spacing.
+ * The sides are unpaired when they do not face each other, with all points on the side of the nearer one of a and b,
+ * see MedialVoxelWallPoints::GetNearerSides(): the sums of the directions from the boundary points to the object voxels
+ * around them are more than 36.9 degrees (a cosine of 0.8) from opposite. There the points of the cell are on the end
+ * of the wall too, or of several walls that meet, and the thickness belongs to none. The smallest thickness is a 64th
+ * of the smallest spacing.
  *
  * Outside the image, where nothing is known, the outermost voxels are continued.
  *
  * A plane with the unit normal n passes through (|nx| sx + |ny| sy + |nz| sz) / (sx sy sz) cells of the size s for each
  * unit of its area. The inverse, with the direction from one side to the other as the normal, is the area that a cell
- * stands for. The areas of a wall parallel to an axis add up exactly; those of other walls to 1.1 times the area at 2
- * voxels of thickness, where boundary points tell little of the direction, and to less than 1.05 times at 6 and more.
+ * stands for. The areas of a wall parallel to an axis add up exactly. For other walls the sum is 1.1 times the area at
+ * 2 voxels of thickness, where boundary points hardly define the direction, and less than 1.05 times at 6 and more.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelThickness
@@ -82,11 +82,12 @@ private:
   struct Block
   {
     std::uint32_t voxels{ 0 };   // see GetObjectAround()
-    std::uint32_t opposite{ 0 }; // of them, those with another one at the opposite offset
+    std::uint32_t opposite{ 0 }; // of them, voxels with another one at the opposite offset
     std::int64_t  sums{ 0 };     // their number and the sums of their offsets, side by side
   };
 
-  /** What follows from the direction through a wall, the way from one side to the other in voxels times its length. */
+  /** Numbers that follow from the direction through a wall, the displacement between its sides in voxels times its
+   * length. */
   struct Direction
   {
     std::array<double, 3>        across{};
@@ -97,7 +98,7 @@ private:
 
 public:
   /** \class Memory
-   * \brief What is around boundary points, which walls side by side share.
+   * \brief The blocks around boundary points, which walls side by side share.
    * \ingroup MedialVoxel
    */
   class Memory
@@ -137,7 +138,7 @@ public:
   MedialVoxelWall
   Measure(const MedialVoxelBits & object, const MedialVoxelWallPoints & wall, Memory & memory) const;
 
-  /** The thickness for points of meshes, in less time: with all points, those on the end of the wall too. */
+  /** The thickness for points of meshes, in less time: with all points, even on the end of the wall. */
   float
   MeasureThickness(const MedialVoxelBits & object, const MedialVoxelWallPoints & wall, Memory & memory) const;
 
@@ -153,35 +154,35 @@ public:
   }
 
 private:
-  /** The two sides of a wall, and the way between them. */
-  struct Span;
+  /** The two sides of a wall, and the displacement between them. */
+  struct SidePair;
 
   /** \param sideOf     the sides of the corners
-   * \param direction  that of the last wall, or none
-   * \param blockAt    called with a point, tells the block around it */
+   * \param direction  direction of the last wall, or none
+   * \param blockAt    called with a point, returns the block around it */
   template <typename TBlockAt>
-  Span
-  FindSpan(const MedialVoxelWallPoints &            wall,
-           const MedialVoxelWallPoints::SidesType & sideOf,
-           Direction &                              direction,
-           TBlockAt &&                              blockAt) const;
+  SidePair
+  FindSides(const MedialVoxelWallPoints &            wall,
+            const MedialVoxelWallPoints::SidesType & sideOf,
+            Direction &                              direction,
+            TBlockAt &&                              blockAt) const;
 
   template <typename TBlockAt>
   static MedialVoxelWallPoints::SidesType
-  LeaveOutEdges(const MedialVoxelWallPoints & wall, TBlockAt && blockAt);
+  FindSidesWithoutEdges(const MedialVoxelWallPoints & wall, TBlockAt && blockAt);
 
   template <typename TBlockAt>
   MedialVoxelWall
   MeasureWall(const MedialVoxelWallPoints & wall, Direction & direction, TBlockAt && blockAt) const;
 
   float
-  ThicknessOf(const Span & span) const;
+  ThicknessOf(const SidePair & pair) const;
 
   const Block &
   RecallBlock(const MedialVoxelBits & object, const MedialVoxelIndex & point, Memory & memory) const;
 
   static void
-  FindWaysOut(Direction & direction);
+  FindOffsetsOut(Direction & direction);
 
   Block
   GetBlock(const MedialVoxelBits & object, const MedialVoxelIndex & point) const;

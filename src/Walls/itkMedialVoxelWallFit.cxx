@@ -26,10 +26,10 @@ constexpr double Tail = 2.5;
 constexpr double Thinnest = 0.05;
 constexpr double Thickest = 12.0;
 
-/** Standard deviation, in voxels, from which on nothing was measured: values do not say where the surfaces are. */
+/** Standard deviation, in voxels, from which on a fit fails: values do not define the places of the surfaces. */
 constexpr double LargestDeviation = 1.0;
 
-/** Way of the middle of a wall from where it was looked for, at most. */
+/** Largest distance of the middle of a wall from the start of the search. */
 constexpr double LargestShift = 2.5;
 
 /** \class BlurredSurface
@@ -55,7 +55,7 @@ private:
   double                                m_Inverse;
 };
 
-/** Those of a list that are near a place. */
+/** The items of a list that are near a place. */
 std::vector<Sample>
 SelectNear(const std::vector<Sample> & samples, const double place, const double reach)
 {
@@ -296,7 +296,7 @@ MedialVoxelWallFit::Fit(const std::vector<Sample> & samples, Wall & wall) const
   }
 }
 
-/** Values in the middle of two walls that the blur has joined are lower than those of one. */
+/** Values in the middle of two walls that the blur has joined are lower than in one wall. */
 bool
 MedialVoxelWallFit::IsResolved(const std::vector<Sample> & samples, const Wall & wall) const
 {

@@ -21,7 +21,7 @@ namespace itk
  * A wall of the thickness t around c has the normalized values Phi((s - c + t/2) / blur) - Phi((s - c - t/2) / blur) at
  * the place s of the line, a surface at c has Phi((s - c) / blur). Each voxel near the line counts with its own place,
  * so that nothing is interpolated. The fit is by weighted least squares, and the noise of a voxel gives the standard
- * deviation of what was fitted.
+ * deviation of the result.
  *
  * Where another wall is near, the values between two walls have a valley. The thickness is then the mass of the values
  * between the valleys, which does not depend on the blur.
@@ -31,7 +31,7 @@ class MedialVoxel_EXPORT MedialVoxelWallFit
 {
 public:
   /** \struct Wall
-   * \brief What was found of a wall.
+   * \brief A fitted wall.
    * \ingroup MedialVoxel
    */
   struct Wall
@@ -40,11 +40,11 @@ public:
     double center{ 0.0 };      ///< place of its middle along the line
     double deviation{ 0.0 };   ///< standard deviation of the thickness from the noise
     bool   isCut{ false };     ///< measured between valleys
-    bool   isResolved{ true }; ///< false: the values inside do not reach those of one wall of this thickness
+    bool   isResolved{ true }; ///< false: the values inside are lower than in one wall of this thickness
   };
 
   /** \struct Surface
-   * \brief What was found of a surface of a wall.
+   * \brief A fitted surface of a wall.
    * \ingroup MedialVoxel
    */
   struct Surface

@@ -17,7 +17,7 @@ namespace
 /** A ball takes as long as so many short steps. */
 constexpr std::uint32_t StepsOfBall = 64;
 
-/** Balls after which it is asked whether all voxels are painted. */
+/** Balls between two tests whether all voxels are painted. */
 constexpr std::size_t BallsBetweenLooks = 4096;
 
 } // namespace
@@ -55,14 +55,14 @@ MedialVoxelWallPainter::Paint(const MedialVoxelBox &  tile,
   std::sort(workspace.balls.begin(), workspace.balls.end(), [](const Ball & a, const Ball & b) {
     return a.radius > b.radius || (a.radius == b.radius && a.thickness > b.thickness);
   });
-  MedialVoxelPollCounter poll;
+  MedialVoxelAbortChecker checker;
   for (std::size_t i = 0; i < workspace.balls.size(); ++i)
   {
     if (i % BallsBetweenLooks == 0 && workspace.open.IsDone())
     {
       return;
     }
-    poll.Count(StepsOfBall);
+    checker.Count(StepsOfBall);
     this->PaintBall(workspace.balls[i], workspace.open);
   }
   workspace.open.CloseRest(std::numeric_limits<float>::quiet_NaN());
@@ -103,7 +103,7 @@ MedialVoxelWallPainter::PaintBall(const Ball & ball, MedialVoxelOpenVoxels & ope
     {
       ++last;
     }
-    return MedialVoxelOpenVoxels::Span{ ball.cell[0] + atCenter - last, ball.cell[0] + last + 1 };
+    return MedialVoxelOpenVoxels::RowRange{ ball.cell[0] + atCenter - last, ball.cell[0] + last + 1 };
   });
 }
 

@@ -13,10 +13,10 @@ namespace
 
 using SidesType = MedialVoxelWallPoints::SidesType;
 
-/** The way through a wall, from the mean of the points on one side to that of those on the other. */
-struct WayThrough
+/** The displacement through a wall, between the means of the points on both sides. */
+struct WallAxis
 {
-  MedialVoxelIndex across{};    // the way, times the numbers of points of both sides
+  MedialVoxelIndex across{};    // the displacement, times the numbers of points of both sides
   std::int64_t     middle{ 0 }; // how far along it the middle is, times twice these numbers
   std::int64_t     factor{ 0 }; // twice these numbers
 };
@@ -33,9 +33,9 @@ FromTo(const MedialVoxelIndex & a, const MedialVoxelIndex & b)
   return { { b[0] - a[0], b[1] - a[1], b[2] - a[2] } };
 }
 
-/** From the points in the first and the last quarter of the way from a to b, which a and b are among. */
-WayThrough
-FindWayThrough(const MedialVoxelWallPoints & wall)
+/** From the points in the first and the last quarter of the line from a to b, including a and b. */
+WallAxis
+FindWallAxis(const MedialVoxelWallPoints & wall)
 {
   const MedialVoxelIndex across = FromTo(wall.a, wall.b);
   const std::int64_t     squaredLength = DotProduct(across, across);
@@ -55,31 +55,32 @@ FindWayThrough(const MedialVoxelWallPoints & wall)
       }
     }
   }
-  WayThrough       way;
+  WallAxis         wallAxis;
   MedialVoxelIndex ends;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    way.across[axis] = numbers[0] * sums[1][axis] - numbers[1] * sums[0][axis];
+    wallAxis.across[axis] = numbers[0] * sums[1][axis] - numbers[1] * sums[0][axis];
     ends[axis] = numbers[0] * sums[1][axis] + numbers[1] * sums[0][axis];
   }
-  way.middle = DotProduct(way.across, ends);
-  way.factor = 2 * numbers[0] * numbers[1];
-  return way;
+  wallAxis.middle = DotProduct(wallAxis.across, ends);
+  wallAxis.factor = 2 * numbers[0] * numbers[1];
+  return wallAxis;
 }
 
-/** How far from the middle a point belongs to no side, as a share of half of the way: it is on the end of the wall. */
+/** Points this near to the middle are on the end of the wall and belong to no side; a share of half the
+ * displacement. */
 double
-ShareOfEnds(const WayThrough & way)
+ShareOfEnds(const WallAxis & wallAxis)
 {
   constexpr double largestShare = 0.3;
-  constexpr double voxelsOfSides = 3.0; // of thin tilted walls, the points of a side are as far apart along the way
-  const double     length =
-    2.0 * std::sqrt(static_cast<double>(DotProduct(way.across, way.across))) / static_cast<double>(way.factor);
+  constexpr double voxelsOfSides = 3.0; // of thin tilted walls, the points of a side are as far apart along it
+  const double     length = 2.0 * std::sqrt(static_cast<double>(DotProduct(wallAxis.across, wallAxis.across))) /
+                        static_cast<double>(wallAxis.factor);
   return std::clamp(1.0 - voxelsOfSides / length, 0.0, largestShare);
 }
 
-/** Corners whose partner through the wall belongs to no side leave theirs too, so that both sides have their means at
- * the same place; not where a side would lose all. */
+/** Corners whose partner through the wall belongs to no side leave their side too, so that the means of both sides are
+ * at the same place; not where a side would lose all. */
 SidesType
 WithoutHalfPairs(const MedialVoxelWallPoints & wall, const SidesType & sides)
 {
@@ -99,13 +100,14 @@ WithoutHalfPairs(const MedialVoxelWallPoints & wall, const SidesType & sides)
 auto
 MedialVoxelWallPoints::GetSides() const -> SidesType
 {
-  const WayThrough way = FindWayThrough(*this);
-  const double     ends = ShareOfEnds(way) * static_cast<double>(DotProduct(way.across, way.across));
-  SidesType        sides;
+  const WallAxis wallAxis = FindWallAxis(*this);
+  const double   ends = ShareOfEnds(wallAxis) * static_cast<double>(DotProduct(wallAxis.across, wallAxis.across));
+  SidesType      sides;
   sides.fill(2);
   for (unsigned int corner = 0; corner < numberOfCorners; ++corner)
   {
-    const std::int64_t side = way.factor * DotProduct(way.across, FromTo(a, corners[corner])) - way.middle;
+    const std::int64_t side =
+      wallAxis.factor * DotProduct(wallAxis.across, FromTo(a, corners[corner])) - wallAxis.middle;
     sides[corner] = std::abs(static_cast<double>(side)) <= ends ? 2 : (side < 0 ? 0 : 1);
   }
   return WithoutHalfPairs(*this, sides);

@@ -14,8 +14,7 @@ namespace itk
 {
 
 /** \struct MedialVoxelWallPoints
- * \brief What is known of the wall at a medial cell: the nearest boundary points of its corners, and the pair that
- * decided it.
+ * \brief The wall at a medial cell: the nearest boundary points of its corners, and the pair that decided it.
  * \ingroup MedialVoxel
  */
 struct MedialVoxel_EXPORT MedialVoxelWallPoints

@@ -30,13 +30,13 @@ GetChecksumOfZeros()
 void
 Checksum::Add(const void * data, std::uint64_t numberOfBytes)
 {
-  static const std::uint32_t  ofZeros = GetChecksumOfZeros();
-  const auto *                bytes = static_cast<const Bytef *>(data);
-  itk::MedialVoxelPollCounter poll;
+  static const std::uint32_t   ofZeros = GetChecksumOfZeros();
+  const auto *                 bytes = static_cast<const Bytef *>(data);
+  itk::MedialVoxelAbortChecker checker;
   while (numberOfBytes > 0)
   {
     const std::uint64_t part = std::min(numberOfBytes, BlockSize);
-    poll.Count(static_cast<std::uint32_t>(part / 64));
+    checker.Count(static_cast<std::uint32_t>(part / 64));
     const bool isZeros = part == BlockSize && IsAllZero(reinterpret_cast<const char *>(bytes), part);
     m_Value = static_cast<std::uint32_t>(isZeros ? crc32_combine(m_Value, ofZeros, BlockSize)
                                                  : crc32(m_Value, bytes, static_cast<uInt>(part)));

@@ -19,7 +19,7 @@ StopListener::Progress::Advance(std::uint64_t)
 {}
 
 void
-StopListener::Progress::Beat()
+StopListener::Progress::UpdateObservers()
 {
   if (m_Sink != nullptr)
   {

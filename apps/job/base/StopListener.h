@@ -13,7 +13,8 @@ namespace medialvoxel
 {
 
 /** \class StopListener
- * \brief While it exists, itk::MedialVoxelPoll() in this thread throws StoppedBySignal when the work is to stop. */
+ * \brief While it exists, itk::MedialVoxelCheckAbort() in this thread throws StoppedBySignal when the work is to stop.
+ */
 class StopListener
 {
 public:
@@ -38,7 +39,7 @@ private:
     Advance(std::uint64_t voxels) override;
 
     void
-    Beat() override;
+    UpdateObservers() override;
 
     [[noreturn]] void
     ThrowAborted() const override;
@@ -47,8 +48,8 @@ private:
     ProgressSink * m_Sink;
   };
 
-  Progress                  m_Progress;
-  itk::MedialVoxelPollScope m_Scope;
+  Progress                      m_Progress;
+  itk::MedialVoxelProgressScope m_Scope;
 };
 
 } // end namespace medialvoxel

@@ -41,7 +41,7 @@ ReadMarkers(const SharedJob & job)
   std::vector<std::uint64_t> missing;
   for (std::uint64_t cluster = 0; cluster < job.manifest.numberOfClusters; ++cluster)
   {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
     std::optional<ClusterMarker> marker = job.folder.ReadMarker(job.manifest, cluster);
     if (marker)
     {

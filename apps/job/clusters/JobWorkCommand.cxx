@@ -43,7 +43,7 @@ bool
 AreDone(const SharedJob & job, const std::vector<std::uint64_t> & clusters)
 {
   return std::all_of(clusters.begin(), clusters.end(), [&job](std::uint64_t cluster) {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
     return job.folder.ReadMarker(job.manifest, cluster).has_value();
   });
 }

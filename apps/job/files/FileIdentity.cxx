@@ -26,7 +26,7 @@ ListFiles(const std::filesystem::path & name)
   std::vector<std::filesystem::path> files;
   for (std::filesystem::recursive_directory_iterator entry(name, error), end; !error && entry != end;)
   {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
     if (!entry->is_directory(error))
     {
       files.push_back(entry->path());
@@ -65,7 +65,7 @@ IdentifyFile(const std::filesystem::path & name)
   FileIdentity identity{ name, 0, 0 };
   for (const std::filesystem::path & file : ListFiles(name))
   {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
     const auto status = GetFileStatus(file);
     if (!status)
     {

@@ -29,7 +29,7 @@ UncachedWriter::WriteAt(std::uint64_t offset, const void * data, std::uint64_t n
   {
     if (done > 0)
     {
-      itk::MedialVoxelPoll();
+      itk::MedialVoxelCheckAbort();
     }
     const std::uint64_t length = std::min(BufferSize, numberOfBytes - done);
     std::memcpy(m_Buffer.get(), bytes + done, length);

@@ -61,7 +61,7 @@ WriteBehind::WaitForIdle(std::unique_lock<std::mutex> & lock)
   constexpr std::chrono::milliseconds beatInterval{ 100 };
   while (!m_Changed.wait_for(lock, beatInterval, [this] { return !m_Write; }))
   {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
   }
   if (m_Failure)
   {

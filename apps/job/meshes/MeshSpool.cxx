@@ -174,7 +174,7 @@ MeshSpool::PutFaces(std::uint64_t first, const std::vector<MeshFace> & faces)
 void
 MeshSpool::ReadVertices(std::uint64_t first, std::uint64_t count, std::vector<Vertex> & vertices) const
 {
-  itk::MedialVoxelPoll();
+  itk::MedialVoxelCheckAbort();
   if (!m_HoldsFloats)
   {
     vertices.resize(count);
@@ -197,7 +197,7 @@ MeshSpool::ReadFaces(std::uint64_t           first,
                      std::vector<MeshFace> & faces,
                      MeshFaceFields          parts) const
 {
-  itk::MedialVoxelPoll();
+  itk::MedialVoxelCheckAbort();
   faces.resize(count);
   if (parts != MeshFaceFields::Marks)
   {

@@ -28,7 +28,7 @@ GetRimLimits(const VolumeGeometry & geometry);
 class RimRays
 {
 public:
-  using GrayRange = itk::MedialVoxelExtraction::GrayRange;
+  using GrayRange = itk::MedialVoxelSheetExtraction::GrayRange;
 
   /** \param input stays as long as this; it is prepared
    * \param range of the values of the part; none: its bits count */

@@ -254,8 +254,7 @@ SheetMesh::GetFootprint(const ExtractOptions &       options,
   footprint.beside = geometry.GetVoxelsPerSlice() / VoxelsPerCellInWork * CellInWorkSize +
                      GetPendingCells(geometry) * PendingCellSize + WritingMemory + GetEdgeMemory(options, geometry) +
                      (isRemeshed ? GetRemeshingMemory(1) : 0) + GetCleaningMemory(cleaning, vertices);
-  footprint.perVoxelOfTile =
-    itk::MedialVoxelSurfaceObserver::GetWorkerBytesPerVoxel(grid, GetParameters(options, grid));
+  footprint.perVoxelOfTile = itk::MedialVoxelSurfaceObserver::GetBytesPerVoxel(grid, GetParameters(options, grid));
   footprint.surplus.most = MostPending;
   footprint.surplus.planned = 1; // a cell for each 64 voxels
   const std::uint64_t spools = isRemeshed ? 3 : cleaning.IsOn() || options.labels ? 2 : 1;

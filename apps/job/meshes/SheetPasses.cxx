@@ -97,9 +97,9 @@ SheetPasses::Finish()
 }
 
 std::uint64_t
-SheetPasses::GetWorkerBytesPerVoxel() const
+SheetPasses::GetBytesPerVoxel() const
 {
-  return m_Passes.front()->observer->GetWorkerBytesPerVoxel();
+  return m_Passes.front()->observer->GetBytesPerVoxel();
 }
 
 auto

@@ -35,7 +35,7 @@ public:
   Finish();
 
   std::uint64_t
-  GetWorkerBytesPerVoxel() const override;
+  GetBytesPerVoxel() const override;
 
   std::unique_ptr<Workspace>
   MakeWorkspace() const override;

@@ -94,12 +94,12 @@ namespace
 
 /** Whether a threshold cuts off values that a type has. */
 bool
-CutsOff(const std::optional<itk::MedialVoxelLimit> & threshold, const PixelType type, const bool isLower)
+CutsOff(const std::optional<itk::MedialVoxelExactNumber> & threshold, const PixelType type, const bool isLower)
 {
   return threshold && DispatchPixelType(type, [&](auto zero) {
            using Limits = std::numeric_limits<decltype(zero)>;
            return isLower ? threshold->IsAbove(Limits::lowest())
-                          : itk::MedialVoxelLimit(Limits::max()).IsAbove(*threshold);
+                          : itk::MedialVoxelExactNumber(Limits::max()).IsAbove(*threshold);
          });
 }
 
@@ -147,7 +147,7 @@ DescribeMeasureOnObject(const ExtractOptions & options, const VolumeHeader & hea
                                                                        : "no threshold cuts the values";
 }
 
-itk::MedialVoxelExtraction::GrayRange
+itk::MedialVoxelSheetExtraction::GrayRange
 GetGrayRange(const JobOptions & options, const VolumeHeader & header)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();

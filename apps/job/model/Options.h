@@ -8,7 +8,7 @@
 #include "ZarrCompression.h"
 
 #include "itkMedialVoxelEnums.h"
-#include "itkMedialVoxelLimit.h"
+#include "itkMedialVoxelExactNumber.h"
 #include "itkMedialVoxelParameters.h"
 #include "WallMeasure.h"
 
@@ -23,7 +23,7 @@ namespace medialvoxel
 {
 
 /** A whole number of any integer type with up to 64 bits. */
-using LabelValue = itk::MedialVoxelLimit;
+using LabelValue = itk::MedialVoxelExactNumber;
 
 /** Digits, with a minus sign for negative ones; nothing for other texts and below -2^63 or from 2^64 on. */
 std::optional<LabelValue>
@@ -63,11 +63,12 @@ struct JobOptions
    * sheets need it. */
   std::optional<double> resample;
 
-  std::optional<itk::MedialVoxelLimit> lowerThreshold; ///< object: value >= lower; unset: no limit
-  std::optional<itk::MedialVoxelLimit> upperThreshold; ///< object: value <= upper; neither set: object is value != 0
-  bool                                 lowerIsOtsu{ false }; ///< measure the lower threshold, unless it is set already
-  std::optional<LabelValue>            label; ///< object: value == label, and no thresholds; unset: they decide
-  bool                                 voxelUnits{ false }; ///< lengths in voxels instead of physical units
+  std::optional<itk::MedialVoxelExactNumber> lowerThreshold; ///< object: value >= lower; unset: no limit
+  std::optional<itk::MedialVoxelExactNumber>
+                            upperThreshold;       ///< object: value <= upper; neither set: object is value != 0
+  bool                      lowerIsOtsu{ false }; ///< measure the lower threshold, unless it is set already
+  std::optional<LabelValue> label;                ///< object: value == label, and no thresholds; unset: they decide
+  bool                      voxelUnits{ false };  ///< lengths in voxels instead of physical units
 
   std::string distanceFile; ///< signed distance, float32
   std::string reportFile;   ///< JSON; StandardOutput: the caller writes MakeReport() there
@@ -217,7 +218,7 @@ bool
 HasOneThreshold(const JobOptions & options, const VolumeHeader & header);
 
 /** The values of the object, for measures on gray values. */
-itk::MedialVoxelExtraction::GrayRange
+itk::MedialVoxelSheetExtraction::GrayRange
 GetGrayRange(const JobOptions & options, const VolumeHeader & header);
 
 /** The smoothing that is asked for. */

@@ -163,7 +163,7 @@ LowerThreshold()
     [](JobOptions & options, const std::string & text) {
       options.lowerIsOtsu = ToLower(text) == "otsu";
       options.lowerThreshold =
-        options.lowerIsOtsu ? std::nullopt : std::optional<itk::MedialVoxelLimit>(ToLimit(text, " or otsu"));
+        options.lowerIsOtsu ? std::nullopt : std::optional<itk::MedialVoxelExactNumber>(ToLimit(text, " or otsu"));
     },
     [](const JobOptions & options) {
       return options.lowerThreshold ? options.lowerThreshold->Format()
@@ -178,7 +178,7 @@ UpperThreshold()
   return Value(
     &JobOptions::upperThreshold,
     [](const std::string & text) { return ToLimit(text); },
-    [](const itk::MedialVoxelLimit & limit) { return limit.Format(); });
+    [](const itk::MedialVoxelExactNumber & limit) { return limit.Format(); });
 }
 
 OptionValue

@@ -130,10 +130,10 @@ ToFileName(const std::string & text)
   return fileName;
 }
 
-itk::MedialVoxelLimit
+itk::MedialVoxelExactNumber
 ToLimit(const std::string & text, const std::string & others)
 {
-  const std::optional<itk::MedialVoxelLimit> value = itk::MedialVoxelLimit::Parse(text);
+  const std::optional<itk::MedialVoxelExactNumber> value = itk::MedialVoxelExactNumber::Parse(text);
   if (!value || value->IsNotANumber())
   {
     Refuse(text,

@@ -46,7 +46,7 @@ std::string
 ToFileName(const std::string & text); ///< a shell completes a folder with a slash
 
 /** A limit on values, where whole numbers keep all 64 bits. */
-itk::MedialVoxelLimit
+itk::MedialVoxelExactNumber
 ToLimit(const std::string & text, const std::string & others = "");
 LabelValue
 ToLabel(const std::string & text);

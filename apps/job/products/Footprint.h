@@ -52,7 +52,7 @@ struct Footprint
   {
     if (product.perVoxelOfTile > 0)
     {
-      auto & extraction = std::get<itk::MedialVoxelExtraction>(engines.front().settings.task);
+      auto & extraction = std::get<itk::MedialVoxelSheetExtraction>(engines.front().settings.task);
       extraction.isObserved = true;
       extraction.observerBytesPerVoxel += product.perVoxelOfTile;
     }

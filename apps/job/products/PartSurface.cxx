@@ -114,7 +114,7 @@ PartSurface::GetMap()
 void
 PartSurface::AddSlice(std::int64_t z, const float * thickness)
 {
-  itk::MedialVoxelPoll();
+  itk::MedialVoxelCheckAbort();
   m_Z = z;
   m_Now = thickness;
   this->ReadSlices(z + m_Halo);
@@ -177,7 +177,7 @@ PartSurface::SetMargins(std::int64_t z, const itk::MedialVoxelBits & object)
 void
 PartSurface::AddVertices(const std::vector<itk::MedialVoxelIsosurfaceVertex> & vertices)
 {
-  itk::MedialVoxelPoll(); // slices may have millions of them
+  itk::MedialVoxelCheckAbort(); // slices may have millions of them
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   m_Vertices.resize(vertices.size());
   std::transform(vertices.begin(), vertices.end(), m_Vertices.begin(), [&](const auto & vertex) {

@@ -40,7 +40,7 @@ public:
   }
 
   std::uint64_t
-  GetWorkerBytesPerVoxel() const override
+  GetBytesPerVoxel() const override
   {
     return 0;
   }

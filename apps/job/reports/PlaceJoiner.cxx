@@ -158,14 +158,14 @@ PlaceJoiner::Join(Nodes                          nodes,
 std::vector<std::uint32_t>
 PlaceJoiner::FindRoots(const Nodes & nodes, std::size_t numberOfPlaces) const
 {
-  Unions                      unions(nodes.size());
-  std::vector<std::uint32_t>  firstOf(numberOfPlaces, None);
-  const auto                  rowsBefore = m_Grid.GetRowsBefore();
-  std::array<std::size_t, 4>  cursors{};
-  itk::MedialVoxelPollCounter poll;
+  Unions                       unions(nodes.size());
+  std::vector<std::uint32_t>   firstOf(numberOfPlaces, None);
+  const auto                   rowsBefore = m_Grid.GetRowsBefore();
+  std::array<std::size_t, 4>   cursors{};
+  itk::MedialVoxelAbortChecker checker;
   for (std::uint32_t i = 0; i < nodes.size(); ++i)
   {
-    poll.Count(1);
+    checker.Count(1);
     const Node & node = nodes[i];
     if (node.number < numberOfPlaces)
     {

@@ -67,7 +67,7 @@ public:
   }
 
   std::uint64_t
-  GetWorkerBytesPerVoxel() const override
+  GetBytesPerVoxel() const override
   {
     return PerVoxelOfTile;
   }

@@ -101,7 +101,7 @@ ReadSlice(const VoxelOutput & volume, const VolumeGeometry & geometry, const Sur
   }
   for (std::uint64_t z = 0; z < geometry.size[2]; ++z)
   {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
     if (view.normal == 0)
     {
       ReadColumn(volume, geometry, survey, z, view.index, &slice.values[z * geometry.size[1]]);
@@ -141,7 +141,7 @@ DrawView(Canvas &          canvas,
   Range              last{};
   for (unsigned int row = 0; row < area.height; ++row)
   {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
     const Range rows = GetCoveredVoxels(upwards ? area.height - 1 - row : row, area.height, height);
     for (unsigned int column = 0; column < area.width; ++column)
     {

@@ -62,7 +62,7 @@ MakePercent(const itk::MedialVoxelCounts & counts)
 
 /** Null without a limit, also for an infinite one. */
 Json
-MakeLimit(const std::optional<itk::MedialVoxelLimit> & limit)
+MakeLimit(const std::optional<itk::MedialVoxelExactNumber> & limit)
 {
   if (!limit)
   {

@@ -61,11 +61,11 @@ SumCells(const itk::MedialVoxelCellRow & row, WordType cells)
  */
 template <typename TFunction>
 void
-ForEachPart(const itk::MedialVoxelClassifiedTile & tile,
-            const CellSample &                     sample,
-            double                                 lengthUnit,
-            unsigned int                           level,
-            TFunction &&                           function)
+ForEachBlock(const itk::MedialVoxelClassifiedTile & tile,
+             const CellSample &                     sample,
+             double                                 lengthUnit,
+             unsigned int                           level,
+             TFunction &&                           function)
 {
   auto wall = tile.walls.begin();
   for (const itk::MedialVoxelCellRow & row : tile.rows)
@@ -164,13 +164,13 @@ SheetSurvey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace *)
   const unsigned int           level = m_Pending.GetLevel();
   if (level < BlocksOfTile::LeastLevel)
   {
-    ForEachPart(
+    ForEachBlock(
       tile, m_Sample, m_LengthUnit, level, [this](const auto & cell, const auto & sums) { m_Pending.Add(cell, sums); });
     return;
   }
   lock.unlock();
   BlocksOfTile blocks(tile.box, level);
-  ForEachPart(
+  ForEachBlock(
     tile, m_Sample, m_LengthUnit, level, [&blocks](const auto & cell, const auto & sums) { blocks.Add(cell, sums); });
   lock.lock();
   blocks.AddTo(m_Pending);

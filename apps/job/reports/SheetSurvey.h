@@ -30,7 +30,7 @@ public:
   static constexpr std::uint64_t PerVoxelOfTile = 1;
 
   std::uint64_t
-  GetWorkerBytesPerVoxel() const override
+  GetBytesPerVoxel() const override
   {
     return PerVoxelOfTile;
   }

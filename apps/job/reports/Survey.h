@@ -46,7 +46,7 @@ public:
   static constexpr std::uint64_t PerVoxelOfTile = 2;
 
   std::uint64_t
-  GetWorkerBytesPerVoxel() const override
+  GetBytesPerVoxel() const override
   {
     return PerVoxelOfTile;
   }

@@ -16,7 +16,7 @@ constexpr std::uint64_t UnitsPerRoot = 1024;
 void
 ThicknessSums::AddWall(const itk::MedialVoxelWall & wall, const double areaUnit)
 {
-  if (wall.isRim)
+  if (wall.isUnpaired)
   {
     ++m_UnpairedCells;
     return;

@@ -142,13 +142,13 @@ ChooseSegments(ExtractOptions & options, const JobResult & job)
 std::vector<JobTask>
 ListTasks(const ExtractOptions & options, const VolumeHeader & header)
 {
-  const itk::MedialVoxelGrid                           grid = GetGrid(options, header);
-  std::optional<itk::MedialVoxelExtraction::GrayRange> range;
+  const itk::MedialVoxelGrid                                grid = GetGrid(options, header);
+  std::optional<itk::MedialVoxelSheetExtraction::GrayRange> range;
   if (MayMeasureOnGrayValues(options, header))
   {
     range = GetGrayRange(options, header);
   }
-  itk::MedialVoxelExtraction extraction;
+  itk::MedialVoxelSheetExtraction extraction;
   extraction.parameters = GetParameters(options, grid);
   extraction.measuresThickness = MeasuresWalls(options);
   extraction.grayRange = range;

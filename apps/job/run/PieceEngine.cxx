@@ -73,7 +73,7 @@ PieceEngine::PieceEngine(itk::MedialVoxelObjectSource &     input,
 bool
 PieceEngine::MakesLabels() const
 {
-  return std::holds_alternative<itk::MedialVoxelExtraction>(m_Settings.task);
+  return std::holds_alternative<itk::MedialVoxelSheetExtraction>(m_Settings.task);
 }
 
 const char *
@@ -82,7 +82,7 @@ PieceEngine::GetName() const
   struct Names
   {
     const char *
-    operator()(const itk::MedialVoxelExtraction &) const
+    operator()(const itk::MedialVoxelSheetExtraction &) const
     {
       return "labels";
     }
@@ -111,13 +111,13 @@ PieceEngine::AddVolume(const VolumeRequest & request, VoxelOutput & volume)
 void
 PieceEngine::AddObserver(itk::MedialVoxelTileObserver & observer)
 {
-  std::get<itk::MedialVoxelExtraction>(m_Settings.task).AddObserver(observer);
+  std::get<itk::MedialVoxelSheetExtraction>(m_Settings.task).AddObserver(observer);
 }
 
 void
-PieceEngine::SetGrayRange(const std::optional<itk::MedialVoxelExtraction::GrayRange> & range)
+PieceEngine::SetGrayRange(const std::optional<itk::MedialVoxelSheetExtraction::GrayRange> & range)
 {
-  if (auto * const extraction = std::get_if<itk::MedialVoxelExtraction>(&m_Settings.task))
+  if (auto * const extraction = std::get_if<itk::MedialVoxelSheetExtraction>(&m_Settings.task))
   {
     extraction->grayRange = range;
   }

@@ -118,7 +118,7 @@ public:
   /** Has the walls that the task finds, if any, measured on these gray values, or on the object, before the first run.
    */
   void
-  SetGrayRange(const std::optional<itk::MedialVoxelExtraction::GrayRange> & range);
+  SetGrayRange(const std::optional<itk::MedialVoxelSheetExtraction::GrayRange> & range);
 
   /** Reads the next piece, if any, meanwhile. The results are valid until the next run, or Release(). A piece without
    * a cell to decide and without an object is all zero; sparse volumes may skip it.
@@ -193,7 +193,7 @@ private:
   UpdateProgress(float fraction) override;
 
   bool
-  IsAbortRequested() const override
+  IsAborted() const override
   {
     return m_IsStopped;
   }

@@ -112,7 +112,7 @@ Transfer(std::uint64_t offset, TByte * data, std::uint64_t numberOfBytes, TCall 
   {
     if (done > 0)
     {
-      itk::MedialVoxelPoll();
+      itk::MedialVoxelCheckAbort();
     }
     const std::uint64_t wanted = std::min(numberOfBytes - done, BlockSize);
     const ssize_t       count = call(data + done, wanted, static_cast<off_t>(offset + done));
@@ -320,7 +320,7 @@ SystemFile::Reserve(std::uint64_t numberOfBytes)
   int error = EINTR;
   while (error == EINTR)
   {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
     error = fallocate(m_Descriptor, 0, 0, static_cast<off_t>(numberOfBytes)) == 0 ? 0 : errno;
   }
 #else

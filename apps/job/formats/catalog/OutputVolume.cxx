@@ -173,7 +173,7 @@ OutputVolume::ReadChecksum(std::uint64_t firstVoxel, std::uint64_t numberOfVoxel
   Checksum                checksum;
   while (numberOfVoxels > 0)
   {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
     const std::uint64_t voxels = std::min(numberOfVoxels, voxelsAtOnce);
     this->Read(firstVoxel, voxels, buffer.data());
     checksum.Add(buffer.data(), voxels * m_Layout.GetBytes());
@@ -257,7 +257,7 @@ OutputVolume::PublishBoth()
   std::filesystem::path       replaced = FindDataFile(header);
   do
   {
-    itk::MedialVoxelPoll(); // as another process took the name, when this comes again
+    itk::MedialVoxelCheckAbort(); // as another process took the name, when this comes again
     m_Data.SetFileName(this->FindFreeDataName());
     this->WriteHeader();
   } while (!m_Data.PublishForNow());

@@ -61,7 +61,7 @@ struct PackedVolume::Deflater
   void
   Deflate(int flush)
   {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
     stream.next_in = reinterpret_cast<Bytef *>(block.data());
     stream.avail_in = static_cast<uInt>(block.size());
     do
@@ -106,7 +106,7 @@ struct PackedVolume::Inflater
   {
     while (numberOfBytes > 0)
     {
-      itk::MedialVoxelPoll();
+      itk::MedialVoxelCheckAbort();
       const auto count = static_cast<uInt>(std::min<std::uint64_t>(numberOfBytes, std::uint64_t{ 1 } << 20));
       stream.next_out = data;
       stream.avail_out = count;

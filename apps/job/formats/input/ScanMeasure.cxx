@@ -31,7 +31,7 @@ FindWallMeasure(InputVolume &          input,
   return { !result.isMask, result.scan, result.reason };
 }
 
-std::optional<itk::MedialVoxelExtraction::GrayRange>
+std::optional<itk::MedialVoxelSheetExtraction::GrayRange>
 GetGrayRange(const WallMeasure & measure, const JobOptions & options, const VolumeHeader & header)
 {
   if (!measure.usesGrayValues)

@@ -19,7 +19,7 @@ FindWallMeasure(InputVolume &          input,
                 const ReadObserver &   observer);
 
 /** The gray values that walls are measured on, or nothing: then it is the object. */
-std::optional<itk::MedialVoxelExtraction::GrayRange>
+std::optional<itk::MedialVoxelSheetExtraction::GrayRange>
 GetGrayRange(const WallMeasure & measure, const JobOptions & options, const VolumeHeader & header);
 
 } // end namespace medialvoxel

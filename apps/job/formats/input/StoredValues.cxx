@@ -52,9 +52,9 @@ public:
   {}
 
   void
-  ForEachPart(const itk::MedialVoxelBox & box, const PartFunction & function) const override
+  ForEachSpan(const itk::MedialVoxelBox & box, const SpanFunction & function) const override
   {
-    const auto parts = CutIntoParts(box, sizeof(TValue), m_IsParallel);
+    const auto parts = CutIntoSpans(box, sizeof(TValue), m_IsParallel);
     std::for_each(parts.begin(), parts.end(), function);
   }
 
@@ -317,7 +317,7 @@ private:
 } // namespace
 
 std::vector<itk::MedialVoxelBox>
-CutIntoParts(const itk::MedialVoxelBox & box, std::size_t bytesPerVoxel, bool takesRows)
+CutIntoSpans(const itk::MedialVoxelBox & box, std::size_t bytesPerVoxel, bool takesRows)
 {
   const auto         bytesPerSlice = static_cast<std::uint64_t>(box.Extent(0) * box.Extent(1)) * bytesPerVoxel;
   const std::int64_t slices = takesRows && bytesPerSlice > InputVolume::SpanSize ? 1 : box.Extent(2);

@@ -126,7 +126,7 @@ UnpackedVolume::WaitFor(std::uint64_t end)
     }
     m_HasMore.wait_for(lock, patience);
     lock.unlock();
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
     ThrowIfStopRequested(m_Sink); // nobody polls in threads that measure before the engine runs
     lock.lock();
   }

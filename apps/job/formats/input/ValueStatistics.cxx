@@ -26,7 +26,7 @@ ForEachValue(itk::MedialVoxelValueSource & source,
 {
   const unsigned int  last = image.Extent(2) > 1 ? 2 : 1;
   std::vector<TValue> values;
-  source.ForEachPart(image, [&](const itk::MedialVoxelBox & part, const itk::MedialVoxelValueView & view) {
+  source.ForEachSpan(image, [&](const itk::MedialVoxelBox & part, const itk::MedialVoxelValueView & view) {
     observer(static_cast<double>(part.lower[last]) / static_cast<double>(image.upper[last]));
     const auto * const first = static_cast<const TValue *>(view.values);
     values.clear();
@@ -283,7 +283,7 @@ SetOtsuThreshold(JobOptions & options, const VolumeHeader & header, const ValueS
                                 : ": all its values are " + FormatNumber(statistics.minimum),
          "; the threshold of Otsu needs two different ones");
   }
-  if (options.upperThreshold && itk::MedialVoxelLimit(*statistics.otsu).IsAbove(*options.upperThreshold))
+  if (options.upperThreshold && itk::MedialVoxelExactNumber(*statistics.otsu).IsAbove(*options.upperThreshold))
   {
     Fail(ExitStatus::Usage,
          header.fileName.string(),

@@ -110,10 +110,10 @@ VolumeSource::WithBox(const itk::MedialVoxelBox & box, const ViewFunction & func
 }
 
 void
-VolumeSource::ForEachPart(const itk::MedialVoxelBox & box, const PartFunction & function)
+VolumeSource::ForEachSpan(const itk::MedialVoxelBox & box, const SpanFunction & function)
 {
   const Lease reader(*this);
-  reader->ForEachPart(box, [&](const itk::MedialVoxelBox & part) {
+  reader->ForEachSpan(box, [&](const itk::MedialVoxelBox & part) {
     ValueView view;
     this->MeasureReading([&] { view = reader->Look(part); });
     function(part, view);
@@ -121,9 +121,9 @@ VolumeSource::ForEachPart(const itk::MedialVoxelBox & box, const PartFunction & 
 }
 
 auto
-VolumeSource::CutIntoParts(const itk::MedialVoxelBox & box, std::size_t bytesPerVoxel) const -> Boxes
+VolumeSource::CutIntoSpans(const itk::MedialVoxelBox & box, std::size_t bytesPerVoxel) const -> Boxes
 {
-  return medialvoxel::CutIntoParts(box, bytesPerVoxel, true);
+  return medialvoxel::CutIntoSpans(box, bytesPerVoxel, true);
 }
 
 void

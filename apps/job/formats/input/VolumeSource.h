@@ -42,10 +42,10 @@ public:
   WithBox(const itk::MedialVoxelBox & box, const ViewFunction & function) override;
 
   void
-  ForEachPart(const itk::MedialVoxelBox & box, const PartFunction & function) override;
+  ForEachSpan(const itk::MedialVoxelBox & box, const SpanFunction & function) override;
 
   Boxes
-  CutIntoParts(const itk::MedialVoxelBox & box, std::size_t bytesPerVoxel) const override;
+  CutIntoSpans(const itk::MedialVoxelBox & box, std::size_t bytesPerVoxel) const override;
 
   void
   ForEach(const Boxes & boxes, unsigned int mostThreads, const Work & work) override;

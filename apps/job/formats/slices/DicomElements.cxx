@@ -92,7 +92,7 @@ DicomElements::ReadElement()
 {
   if (++m_Elements % 1024 == 0)
   {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
   }
   Element element;
   element.tag = this->ReadTag();

@@ -42,7 +42,7 @@ FindFormat(const std::filesystem::path & input, const Files & candidates)
   Files               files;
   for (const std::filesystem::path & file : candidates)
   {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
     const SliceFormat * const own = FindSliceFormat(file);
     if (own && *own->remedy != '\0')
     {
@@ -78,7 +78,7 @@ ReadHeaders(const std::filesystem::path & input, const SliceFormat & format, con
   Slices slices;
   for (const std::filesystem::path & file : files)
   {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
     std::vector<SliceHeader> images = format.readHeaders(file);
     if (images.empty() && !IsFolder(input))
     {

@@ -147,7 +147,7 @@ ListFolder(const std::filesystem::path & folder, TIsWanted && isWanted)
   std::vector<std::filesystem::path> files;
   for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
   {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
     std::error_code   unknown;
     const std::string name = entry->path().filename().string();
     if (name.front() != '.' && isWanted(name) && entry->is_regular_file(unknown))
@@ -175,7 +175,7 @@ ListNumbers(const std::filesystem::path &      folder,
   std::vector<std::filesystem::path> files;
   for (std::uint64_t number = range[0]; number <= range[1]; ++number)
   {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
     files.push_back(folder / pattern.MakeName(number));
     std::error_code error;
     if (!std::filesystem::is_regular_file(files.back(), error))

@@ -157,7 +157,7 @@ TiffFile::ReadTiles(const TiffBands & bands, std::uint64_t band, char * voxels)
   m_Tile.resize(bands.rows * bytesPerTileRow);
   for (std::uint64_t column = 0; column < bands.GetStriles(); ++column)
   {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
     this->ReadStrile(band * bands.GetStriles() + column, bands.tileWidth, bands.rows, m_Tile.data());
     const std::uint64_t first = column * bands.tileWidth;
     const std::uint64_t bytes = std::min(bands.tileWidth, bands.width - first) * bytesPerVoxel;

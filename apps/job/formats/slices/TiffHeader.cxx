@@ -216,7 +216,7 @@ public:
     std::uint64_t slices = 0;
     do
     {
-      itk::MedialVoxelPoll();
+      itk::MedialVoxelCheckAbort();
       this->AddSlice();
       ++slices;
     } while (m_File.NextDirectory());

@@ -32,7 +32,7 @@ public:
   {
     do
     {
-      itk::MedialVoxelPoll();
+      itk::MedialVoxelCheckAbort();
       m_Directories.push_back(m_File.GetDirectoryOffset());
     } while (m_File.NextDirectory());
   }
@@ -76,7 +76,7 @@ private:
   ReadBandOf(std::uint64_t slice, std::uint64_t row)
   try
   {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
     m_Rows = 0; // there is none should this fail
     if (slice >= m_Directories.size())
     {

@@ -79,7 +79,7 @@ struct InflateReader::State
     stream.avail_out = numberOfBytes;
     while (stream.avail_out > 0)
     {
-      itk::MedialVoxelPoll();
+      itk::MedialVoxelCheckAbort();
       Step();
     }
   }
@@ -135,7 +135,7 @@ InflateReader::CheckEnd()
   m_State->stream.avail_out = 1;
   while (!m_State->atEndOfStream)
   {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
     m_State->Step();
     if (m_State->stream.avail_out == 0)
     {

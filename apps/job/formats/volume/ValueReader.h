@@ -23,7 +23,7 @@ using ValueView = itk::MedialVoxelValueView;
 class ValueReader
 {
 public:
-  using PartFunction = std::function<void(const itk::MedialVoxelBox &)>;
+  using SpanFunction = std::function<void(const itk::MedialVoxelBox &)>;
 
   virtual ~ValueReader() = default;
 
@@ -34,7 +34,7 @@ public:
 
   /** Calls function(part) for parts of a box that are best read each by itself. */
   virtual void
-  ForEachPart(const itk::MedialVoxelBox & box, const PartFunction & function) const = 0;
+  ForEachSpan(const itk::MedialVoxelBox & box, const SpanFunction & function) const = 0;
 
   /** Rows that are best read by one thread, in all slices of a box; 1: slices are. */
   virtual std::int64_t
@@ -43,7 +43,7 @@ public:
     return 1;
   }
 
-  /** Reads the values of a part that ForEachPart() gave, and keeps them until the next call. \throw as Read() */
+  /** Reads the values of a part that ForEachSpan() gave, and keeps them until the next call. \throw as Read() */
   virtual ValueView
   Look(const itk::MedialVoxelBox & part) = 0;
 
@@ -57,7 +57,7 @@ public:
 
 /** Parts of a box of about a megabyte: whole slices, or rows of large slices where that is better. */
 std::vector<itk::MedialVoxelBox>
-CutIntoParts(const itk::MedialVoxelBox & box, std::size_t bytesPerVoxel, bool takesRows);
+CutIntoSpans(const itk::MedialVoxelBox & box, std::size_t bytesPerVoxel, bool takesRows);
 
 /** Opens a volume that ReadVolumeHeader() has checked, or ResampleHeader() has made. Reads a compressed one from
  * front to back unless UnpackVolume() has unpacked it.

@@ -70,7 +70,7 @@ Inflate(const ZarrData & packed, char * target, std::uint64_t room)
   std::uint64_t done = 0;
   for (int result = Z_OK; result != Z_STREAM_END || stream.avail_in > 0;)
   {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
     if (result == Z_STREAM_END && inflateReset(&stream) != Z_OK)
     {
       return std::nullopt;

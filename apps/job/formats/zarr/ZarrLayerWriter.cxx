@@ -100,7 +100,7 @@ ZarrLayerWriter::ForEachChunk(std::uint64_t layer, const RowRange & rows, TFunct
   States &      states = m_OpenLayers.at(layer);
   const ZarrBox box{ { 0, rows.begin, layer * m_Grid.chunk[2] }, { m_Grid.size[0], rows.end - rows.begin, 1 } };
   medialvoxel::ForEachChunk(m_Grid, box, [&](std::uint64_t component, const ZarrIndex & index) {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
     const std::uint64_t row = component * m_Grid.GetNumberOfChunks(1) + index[1];
     function(component, index, states[row * m_Grid.GetNumberOfChunks(0) + index[0]]);
   });

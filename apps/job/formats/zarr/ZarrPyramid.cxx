@@ -128,7 +128,7 @@ ZarrPyramid::Write(const ZarrLevel & from, const ZarrLevel & to)
     bool isEmpty = true;
     for (std::uint64_t number = 0; number < 8; ++number)
     {
-      itk::MedialVoxelPoll();
+      itk::MedialVoxelCheckAbort();
       const ZarrIndex place{ { number & 1, (number >> 1) & 1, number >> 2 } };
       ZarrIndex       source{};
       bool            isInside = true;

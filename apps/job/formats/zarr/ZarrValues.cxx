@@ -47,7 +47,7 @@ public:
   Read(const itk::MedialVoxelBox & box, void * values) override
   {
     const std::uint64_t valueSize = GetTraits(m_Array.grid.layout.pixelType).bytes;
-    this->ForEachPart(box, [&](const itk::MedialVoxelBox & part) {
+    this->ForEachSpan(box, [&](const itk::MedialVoxelBox & part) {
       const ValueView view = this->Look(part);
       itk::MedialVoxelForEachRow(part, view.strides, [&](const std::int64_t offset, const itk::MedialVoxelBox & row) {
         const auto first = static_cast<std::uint64_t>(box.OffsetOf(row.lower));
@@ -59,7 +59,7 @@ public:
   }
 
   void
-  ForEachPart(const itk::MedialVoxelBox & box, const PartFunction & function) const override
+  ForEachSpan(const itk::MedialVoxelBox & box, const SpanFunction & function) const override
   {
     const ZarrGrid & grid = m_Array.grid;
     ForEachChunk(grid, this->ToGrid(box), [&](std::uint64_t, const ZarrIndex & index) {
@@ -154,7 +154,7 @@ private:
 
   /** As many whole slices of the chunk as may be read at once, or rows of one. */
   void
-  CutPlainSpan(const itk::MedialVoxelBox & part, const PartFunction & function) const
+  CutPlainSpan(const itk::MedialVoxelBox & part, const SpanFunction & function) const
   {
     const unsigned int y = GetBoxAxis(m_Array.grid, 1);
     const unsigned int z = GetBoxAxis(m_Array.grid, 2);

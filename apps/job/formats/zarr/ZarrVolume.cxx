@@ -171,7 +171,7 @@ ZarrVolume::RemovePartialChunks() const
   {
     for (const auto & entry : std::filesystem::recursive_directory_iterator(m_Folder.GetPath() / level.folder))
     {
-      itk::MedialVoxelPoll();
+      itk::MedialVoxelCheckAbort();
       if (entry.path().extension() == PartialExtension)
       {
         files.push_back(entry.path());
@@ -269,7 +269,7 @@ ZarrVolume::ForEachChunkOfLayer(std::uint64_t layer, TFunction && function) cons
   ForEachChunk(m_Grid,
                { { 0, 0, layer * m_Grid.chunk[2] }, { m_Grid.size[0], m_Grid.size[1], 1 } },
                [&](std::uint64_t component, const ZarrIndex & index) {
-                 itk::MedialVoxelPoll();
+                 itk::MedialVoxelCheckAbort();
                  function(component, index);
                });
 }
@@ -305,7 +305,7 @@ ZarrVolume::CheckChunkFiles(const std::string & level, std::uint64_t expected) c
   std::uint64_t               files = 0;
   for (const auto & entry : std::filesystem::recursive_directory_iterator(array))
   {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
     if (entry.is_directory() || entry.path().filename() == ZarrArrayFile)
     {
       continue;
@@ -358,7 +358,7 @@ ZarrVolume::ReadBox(const ZarrBox & box, void * data) const
     m_Reader = Reader{ std::move(chunks), std::move(buffers) };
   }
   const auto readChunk = [&](std::uint64_t component, const ZarrIndex & index) {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
     const ZarrBox       chunkBox = m_Grid.GetBox(index);
     const ZarrBox       part = Intersect(chunkBox, box);
     const char * const  chunk = m_Reader->chunks->Read(component, index, m_Reader->buffers);

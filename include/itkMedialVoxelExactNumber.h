@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef itkMedialVoxelLimit_h
-#define itkMedialVoxelLimit_h
+#ifndef itkMedialVoxelExactNumber_h
+#define itkMedialVoxelExactNumber_h
 
 #include "MedialVoxelExport.h"
 
@@ -16,33 +16,33 @@
 namespace itk
 {
 
-/** \class MedialVoxelLimit
- * \brief A limit on pixel values: any double, or any whole number of 64 bits, neither of which the other type holds.
+/** \class MedialVoxelExactNumber
+ * \brief A number that is compared with pixel values exactly: any double, or any whole number of 64 bits.
  *
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelLimit
+class MedialVoxel_EXPORT MedialVoxelExactNumber
 {
 public:
-  /** May be infinite, and NaN, which no value fulfills. */
-  MedialVoxelLimit(const double value) // NOLINT(google-explicit-constructor): every double is a limit
+  /** May be infinite, or NaN, which equals no value. */
+  MedialVoxelExactNumber(const double value) // NOLINT(google-explicit-constructor): every double is a number
     : m_Nearest(value)
   {}
 
   /** Exact for all whole numbers. */
   template <typename TInteger, std::enable_if_t<std::is_integral<TInteger>::value, int> = 0>
-  MedialVoxelLimit(const TInteger value) // NOLINT(google-explicit-constructor): and every integer
-    : MedialVoxelLimit(value < TInteger{},
-                       value < TInteger{} ? std::uint64_t{} - static_cast<std::uint64_t>(value)
-                                          : static_cast<std::uint64_t>(value))
+  MedialVoxelExactNumber(const TInteger value) // NOLINT(google-explicit-constructor): and every integer
+    : MedialVoxelExactNumber(value < TInteger{},
+                             value < TInteger{} ? std::uint64_t{} - static_cast<std::uint64_t>(value)
+                                                : static_cast<std::uint64_t>(value))
   {}
 
-  /** The number that the whole \a text is, exactly when it is a whole number of 64 bits; nothing when it is no number,
-   * or one beyond 2^53 that has a fraction. */
-  static std::optional<MedialVoxelLimit>
+  /** The number of the whole \a text, exact for whole numbers of 64 bits; nothing when it is no number, or beyond 2^53
+   * and with a fraction. */
+  static std::optional<MedialVoxelExactNumber>
   Parse(std::string_view text);
 
-  /** Text that reads back as the same limit. */
+  /** Text that reads back as the same number. */
   std::string
   Format() const;
 
@@ -52,14 +52,14 @@ public:
     return m_Nearest;
   }
 
-  /** True when a double holds the limit. */
+  /** True when a double holds the number. */
   bool
   IsDouble() const
   {
     return m_Rest == 0;
   }
 
-  /** The limit when it is not a double but a negative, or a not negative, whole number. */
+  /** The number when it is not a double but a negative, or a not negative, whole number. */
   std::optional<std::int64_t>
   GetNegative() const;
   std::optional<std::uint64_t>
@@ -72,24 +72,24 @@ public:
   }
 
   bool
-  IsAbove(const MedialVoxelLimit & other) const
+  IsAbove(const MedialVoxelExactNumber & other) const
   {
     return m_Nearest > other.m_Nearest || (this->HasSameNearest(other) && m_Rest > other.m_Rest);
   }
 
   friend bool
-  operator==(const MedialVoxelLimit & a, const MedialVoxelLimit & b)
+  operator==(const MedialVoxelExactNumber & a, const MedialVoxelExactNumber & b)
   {
     return a.HasSameNearest(b) && a.m_Rest == b.m_Rest;
   }
 
   friend bool
-  operator!=(const MedialVoxelLimit & a, const MedialVoxelLimit & b)
+  operator!=(const MedialVoxelExactNumber & a, const MedialVoxelExactNumber & b)
   {
     return !(a == b);
   }
 
-  /** The smallest double that is not below the limit, and the largest that is not above. */
+  /** The smallest double that is not below the number, and the largest that is not above. */
   double
   GetFirstDouble() const
   {
@@ -101,21 +101,21 @@ public:
     return m_Rest < 0 ? std::nextafter(m_Nearest, -std::numeric_limits<double>::infinity()) : m_Nearest;
   }
 
-  /** The smallest value of a type that is not below the limit; nothing when all are. */
+  /** The smallest value of a type that is not below the number; nothing when all are. */
   template <typename TValue>
   std::optional<TValue>
   GetFirstValue() const;
 
-  /** The largest value of a type that is not above the limit; nothing when all are. */
+  /** The largest value of a type that is not above the number; nothing when all are. */
   template <typename TValue>
   std::optional<TValue>
   GetLastValue() const;
 
 private:
-  MedialVoxelLimit(bool isNegative, std::uint64_t magnitude);
+  MedialVoxelExactNumber(bool isNegative, std::uint64_t magnitude);
 
   bool
-  HasSameNearest(const MedialVoxelLimit & other) const
+  HasSameNearest(const MedialVoxelExactNumber & other) const
   {
     return !(m_Nearest < other.m_Nearest) && !(m_Nearest > other.m_Nearest) && !this->IsNotANumber() &&
            !other.IsNotANumber();
@@ -132,12 +132,12 @@ private:
   AddRest(double whole) const;
 
   double       m_Nearest;
-  std::int32_t m_Rest{ 0 }; ///< what the limit is above m_Nearest; not 0 only where doubles are whole numbers
+  std::int32_t m_Rest{ 0 }; ///< the number minus m_Nearest; 0 unless doubles are whole numbers there
 };
 
 template <typename TInteger>
 int
-MedialVoxelLimit::CompareWithRange(const double whole) const
+MedialVoxelExactNumber::CompareWithRange(const double whole) const
 {
   using Limits = std::numeric_limits<TInteger>;
   // Powers of two are exact in double, where the largest value of a 64-bit type is not.
@@ -150,7 +150,7 @@ MedialVoxelLimit::CompareWithRange(const double whole) const
 
 template <typename TInteger>
 TInteger
-MedialVoxelLimit::AddRest(const double whole) const
+MedialVoxelExactNumber::AddRest(const double whole) const
 {
   using Limits = std::numeric_limits<TInteger>;
   if (whole >= std::ldexp(1.0, Limits::digits))
@@ -164,7 +164,7 @@ MedialVoxelLimit::AddRest(const double whole) const
 
 template <typename TValue>
 std::optional<TValue>
-MedialVoxelLimit::GetFirstValue() const
+MedialVoxelExactNumber::GetFirstValue() const
 {
   static_assert(std::is_integral<TValue>::value, "Other values are compared as doubles.");
   const double whole = std::ceil(m_Nearest);
@@ -178,7 +178,7 @@ MedialVoxelLimit::GetFirstValue() const
 
 template <typename TValue>
 std::optional<TValue>
-MedialVoxelLimit::GetLastValue() const
+MedialVoxelExactNumber::GetLastValue() const
 {
   static_assert(std::is_integral<TValue>::value, "Other values are compared as doubles.");
   const double whole = std::floor(m_Nearest);

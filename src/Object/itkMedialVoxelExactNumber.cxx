@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "itkMedialVoxelLimit.h"
+#include "itkMedialVoxelExactNumber.h"
 
 #include "itkMedialVoxelText.h"
 
@@ -19,10 +19,10 @@ constexpr std::uint64_t LargestOfNegative = std::uint64_t{ 1 } << 63;
 
 } // namespace
 
-MedialVoxelLimit::MedialVoxelLimit(const bool isNegative, const std::uint64_t magnitude)
+MedialVoxelExactNumber::MedialVoxelExactNumber(const bool isNegative, const std::uint64_t magnitude)
   : m_Nearest(static_cast<double>(magnitude))
 {
-  // 2^64 is not a whole number of 64 bits: both differences are those modulo 2^64.
+  // 2^64 is not a whole number of 64 bits: both differences are modulo 2^64.
   const bool          isEnd = m_Nearest >= std::ldexp(1.0, std::numeric_limits<std::uint64_t>::digits);
   const std::uint64_t nearest = isEnd ? 0 : static_cast<std::uint64_t>(m_Nearest);
   m_Rest = isEnd || magnitude < nearest ? -static_cast<std::int32_t>(nearest - magnitude)
@@ -34,13 +34,13 @@ MedialVoxelLimit::MedialVoxelLimit(const bool isNegative, const std::uint64_t ma
   }
 }
 
-std::optional<MedialVoxelLimit>
-MedialVoxelLimit::Parse(const std::string_view text)
+std::optional<MedialVoxelExactNumber>
+MedialVoxelExactNumber::Parse(const std::string_view text)
 {
   const std::optional<double> nearest = MedialVoxelText::ParseDouble(text);
   if (!nearest || !(std::fabs(*nearest) >= static_cast<double>(LargestOfDoubles)))
   {
-    return nearest ? std::optional<MedialVoxelLimit>(*nearest) : std::nullopt;
+    return nearest ? std::optional<MedialVoxelExactNumber>(*nearest) : std::nullopt;
   }
   const std::size_t      signs = text.front() == '-' || text.front() == '+' ? 1 : 0;
   const std::string_view digits = text.substr(signs, text.find_first_not_of("0123456789", signs) - signs);
@@ -52,17 +52,17 @@ MedialVoxelLimit::Parse(const std::string_view text)
   const bool             isBeyond = read.ec != std::errc() || (isNegative && magnitude > LargestOfNegative);
   if (digits.empty() || hasExponent || isBeyond)
   {
-    return MedialVoxelLimit(*nearest);
+    return MedialVoxelExactNumber(*nearest);
   }
   if (fraction.find_first_not_of(".0") != std::string_view::npos)
   {
     return std::nullopt;
   }
-  return MedialVoxelLimit(isNegative, magnitude);
+  return MedialVoxelExactNumber(isNegative, magnitude);
 }
 
 std::string
-MedialVoxelLimit::Format() const
+MedialVoxelExactNumber::Format() const
 {
   if (const auto whole = this->GetWhole())
   {
@@ -73,13 +73,13 @@ MedialVoxelLimit::Format() const
 }
 
 std::optional<std::int64_t>
-MedialVoxelLimit::GetNegative() const
+MedialVoxelExactNumber::GetNegative() const
 {
   return this->IsDouble() || m_Nearest > 0 ? std::nullopt : this->GetFirstValue<std::int64_t>();
 }
 
 std::optional<std::uint64_t>
-MedialVoxelLimit::GetWhole() const
+MedialVoxelExactNumber::GetWhole() const
 {
   return this->IsDouble() || m_Nearest < 0 ? std::nullopt : this->GetFirstValue<std::uint64_t>();
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-// Stops and signs of life in work of which a single tile takes minutes.
+// Aborts and progress events in work of which a single tile takes minutes.
 
 #include "MedialVoxelTestHardCases.h"
 
@@ -28,13 +28,13 @@ SecondsOfThread()
 }
 
 /** Counts how often it is asked. */
-class PollRecorder : public itk::MedialVoxelProgress
+class CheckRecorder : public itk::MedialVoxelProgress
 {
 public:
   bool
   IsAborted() const override
   {
-    ++m_NumberOfPolls;
+    ++m_NumberOfRequests;
     return false;
   }
 
@@ -42,11 +42,11 @@ public:
   Advance(std::uint64_t) override
   {}
 
-  mutable std::uint64_t m_NumberOfPolls{ 0 };
+  mutable std::uint64_t m_NumberOfRequests{ 0 };
 };
 
 /** The longest time that an update in one thread computes from one progress event to the next, in its first seconds. An
- * event comes with the first poll after a tenth of a second: the time exceeds that by what passes without a poll. */
+ * event comes with the first check after a tenth of a second: the time exceeds that by the time between two checks. */
 template <typename TFilter>
 double
 FindLongestSilence(TFilter & filter, const double secondsToAbort)
@@ -152,7 +152,7 @@ ExpectRightLabels(MedialFilter<3> & filter, const std::string & name)
   EXPECT_EQ(CountsOf(&filter), expected.counts) << name;
 }
 
-/** Counts its beats, and is aborted when it is told to be. */
+/** Counts its updates; m_IsAborted aborts the work. */
 class CountingProgress : public itk::MedialVoxelProgress
 {
 public:
@@ -165,32 +165,32 @@ public:
   Advance(std::uint64_t) override
   {}
   void
-  Beat() override
+  UpdateObservers() override
   {
-    ++m_Beats;
-    itk::MedialVoxelPoll(); // of nobody
-    if (m_OnBeat)
+    ++m_Updates;
+    itk::MedialVoxelCheckAbort(); // of nobody
+    if (m_OnUpdate)
     {
-      m_OnBeat();
+      m_OnUpdate();
     }
   }
 
   bool                  m_IsAborted{ false };
-  int                   m_Beats{ 0 };
-  std::function<void()> m_OnBeat;
+  int                   m_Updates{ 0 };
+  std::function<void()> m_OnUpdate;
 };
 
 void
-PollFor(double seconds)
+CheckFor(double seconds)
 {
   for (const auto start = Clock::now(); SecondsSince(start) < seconds;)
   {
-    itk::MedialVoxelPoll();
+    itk::MedialVoxelCheckAbort();
   }
 }
 } // namespace
 
-TEST(MedialVoxelPolling, AQueueOfPathsPolls)
+TEST(MedialVoxelAbortCheck, AQueueOfPathsChecks)
 {
   class Aborted : public itk::MedialVoxelProgress
   {
@@ -207,10 +207,10 @@ TEST(MedialVoxelPolling, AQueueOfPathsPolls)
   itk::MedialVoxelBucketQueue<int> queue;
   queue.Begin({ { { 8, 8, 8 } }, { { 1.0, 1.0, 1.0 } } });
   queue.Push(0, 0.0);
-  Aborted                         aborted;
-  const itk::MedialVoxelPollScope scope(aborted);
-  int                             visits = 0;
-  const auto                      run = [&] {
+  Aborted                             aborted;
+  const itk::MedialVoxelProgressScope scope(aborted);
+  int                                 visits = 0;
+  const auto                          run = [&] {
     queue.Run([](const int point) { return static_cast<double>(point); },
               [&](const int point, const double length) {
                 queue.Push(point + 1, length + 1.0);
@@ -222,59 +222,59 @@ TEST(MedialVoxelPolling, AQueueOfPathsPolls)
   EXPECT_LE(visits, 8192);
 }
 
-TEST(MedialVoxelPolling, AsksTheProgressOfTheInnermostScope)
+TEST(MedialVoxelAbortCheck, AsksTheProgressOfTheInnermostScope)
 {
   CountingProgress outer;
   CountingProgress inner;
-  EXPECT_NO_THROW(itk::MedialVoxelPoll());
+  EXPECT_NO_THROW(itk::MedialVoxelCheckAbort());
   {
-    const itk::MedialVoxelPollScope outerScope(outer);
+    const itk::MedialVoxelProgressScope outerScope(outer);
     {
-      const itk::MedialVoxelPollScope innerScope(inner);
+      const itk::MedialVoxelProgressScope innerScope(inner);
       outer.m_IsAborted = true;
-      EXPECT_NO_THROW(itk::MedialVoxelPoll());
+      EXPECT_NO_THROW(itk::MedialVoxelCheckAbort());
       inner.m_IsAborted = true;
-      EXPECT_THROW(itk::MedialVoxelPoll(), itk::MedialVoxelAborted);
-      std::thread([] { EXPECT_NO_THROW(itk::MedialVoxelPoll()); }).join();
+      EXPECT_THROW(itk::MedialVoxelCheckAbort(), itk::MedialVoxelAborted);
+      std::thread([] { EXPECT_NO_THROW(itk::MedialVoxelCheckAbort()); }).join();
     }
-    EXPECT_THROW(itk::MedialVoxelPoll(), itk::MedialVoxelAborted);
+    EXPECT_THROW(itk::MedialVoxelCheckAbort(), itk::MedialVoxelAborted);
   }
-  EXPECT_NO_THROW(itk::MedialVoxelPoll());
+  EXPECT_NO_THROW(itk::MedialVoxelCheckAbort());
 }
 
-TEST(MedialVoxelPolling, BeatsTenTimesASecond)
+TEST(MedialVoxelAbortCheck, ObserversRunTenTimesASecond)
 {
-  CountingProgress                progress;
-  const itk::MedialVoxelPollScope scope(progress);
-  PollFor(0.65);
-  EXPECT_LE(progress.m_Beats, 6);
-  EXPECT_GE(progress.m_Beats, 1);
+  CountingProgress                    progress;
+  const itk::MedialVoxelProgressScope scope(progress);
+  CheckFor(0.65);
+  EXPECT_LE(progress.m_Updates, 6);
+  EXPECT_GE(progress.m_Updates, 1);
 }
 
-TEST(MedialVoxelPolling, ABeatThatThrowsEndsTheWorkAndNoMore)
+TEST(MedialVoxelAbortCheck, AnUpdateThatThrowsEndsTheWorkAndNoMore)
 {
-  CountingProgress                progress;
-  const itk::MedialVoxelPollScope scope(progress);
-  progress.m_OnBeat = [] { throw std::runtime_error("an observer failed"); };
-  EXPECT_THROW(PollFor(5.0), std::runtime_error);
-  progress.m_OnBeat = [&] { progress.m_IsAborted = true; };
-  EXPECT_THROW(PollFor(5.0), itk::MedialVoxelAborted);
-  EXPECT_EQ(progress.m_Beats, 2);
+  CountingProgress                    progress;
+  const itk::MedialVoxelProgressScope scope(progress);
+  progress.m_OnUpdate = [] { throw std::runtime_error("an observer failed"); };
+  EXPECT_THROW(CheckFor(5.0), std::runtime_error);
+  progress.m_OnUpdate = [&] { progress.m_IsAborted = true; };
+  EXPECT_THROW(CheckFor(5.0), itk::MedialVoxelAborted);
+  EXPECT_EQ(progress.m_Updates, 2);
 }
 
-TEST(MedialVoxelPolling, CountersPollNowAndThen)
+TEST(MedialVoxelAbortCheck, CheckersCheckNowAndThen)
 {
-  PollRecorder                    recorder;
-  const itk::MedialVoxelPollScope scope(recorder);
-  itk::MedialVoxelPollCounter     counter;
-  for (std::uint32_t i = 0; i < 10 * itk::MedialVoxelPollCounter::StepsPerPoll; ++i)
+  CheckRecorder                       recorder;
+  const itk::MedialVoxelProgressScope scope(recorder);
+  itk::MedialVoxelAbortChecker        counter;
+  for (std::uint32_t i = 0; i < 10 * itk::MedialVoxelAbortChecker::StepsPerCheck; ++i)
   {
     counter.Count();
   }
-  EXPECT_EQ(recorder.m_NumberOfPolls, 20u); // each poll asks twice: before and after a beat
+  EXPECT_EQ(recorder.m_NumberOfRequests, 20u); // each check asks twice: before and after an update
 }
 
-TEST(MedialVoxelPolling, NoKernelComputesLongWithoutAPoll)
+TEST(MedialVoxelAbortCheck, NoKernelComputesLongWithoutACheck)
 {
   for (const HardCase & hard : HardCases())
   {
@@ -287,7 +287,7 @@ TEST(MedialVoxelPolling, NoKernelComputesLongWithoutAPoll)
   }
 }
 
-TEST(MedialVoxelPolling, NoKernelOfDistancesComputesLongWithoutAPoll)
+TEST(MedialVoxelAbortCheck, NoKernelOfDistancesComputesLongWithoutACheck)
 {
   for (const Vector3 & spacing : { Vector3{ { 1.0, 1.0, 1.0 } }, Vector3{ { 1.0, 1.2, 1.7 } } })
   {
@@ -300,7 +300,7 @@ TEST(MedialVoxelPolling, NoKernelOfDistancesComputesLongWithoutAPoll)
   }
 }
 
-TEST(MedialVoxelPolling, HardWorkIsAbortedWithinASecondAndTheFilterStaysUsable)
+TEST(MedialVoxelAbortCheck, HardWorkIsAbortedWithinASecondAndTheFilterStaysUsable)
 {
   for (const unsigned int units : { 1u, 2u })
   {
@@ -317,7 +317,7 @@ TEST(MedialVoxelPolling, HardWorkIsAbortedWithinASecondAndTheFilterStaysUsable)
   }
 }
 
-TEST(MedialVoxelPolling, DistancesAreAbortedWithinASecond)
+TEST(MedialVoxelAbortCheck, DistancesAreAbortedWithinASecond)
 {
   const Volume solid =
     MakeVolume({ { 400, 300, 300 } }, { { 1.0, 1.2, 1.7 } }, [](const Index3 & v) { return v[0] + v[1] + v[2] > 3; });
@@ -330,7 +330,7 @@ TEST(MedialVoxelPolling, DistancesAreAbortedWithinASecond)
   }
 }
 
-TEST(MedialVoxelPolling, ASurfaceIsAbortedWithinASecondAndTheFilterStaysUsable)
+TEST(MedialVoxelAbortCheck, ASurfaceIsAbortedWithinASecondAndTheFilterStaysUsable)
 {
   using MeshFilter = itk::MedialSurfaceMeshFilter<MaskImage<3>>;
   for (const unsigned int units : { 1u, 2u })
@@ -362,7 +362,7 @@ TEST(MedialVoxelPolling, ASurfaceIsAbortedWithinASecondAndTheFilterStaysUsable)
 }
 
 /** A noisy surface of thousands of sheets, whose cleaning takes longer than its tiles. */
-TEST(MedialVoxelPolling, CleaningASurfaceIsAbortedWithinASecond)
+TEST(MedialVoxelAbortCheck, CleaningASurfaceIsAbortedWithinASecond)
 {
   using MeshFilter = itk::MedialSurfaceMeshFilter<MaskImage<3>>;
   auto filter = MeshFilter::New();
@@ -389,7 +389,7 @@ TEST(MedialVoxelPolling, CleaningASurfaceIsAbortedWithinASecond)
 }
 
 /** As a button of a user interface does that runs the filter in a thread. */
-TEST(MedialVoxelPolling, AnAbortFromAnotherThreadIsHeardToo)
+TEST(MedialVoxelAbortCheck, AnAbortFromAnotherThreadIsHeardToo)
 {
   for (const unsigned int units : { 1u, 2u })
   {
@@ -408,7 +408,7 @@ TEST(MedialVoxelPolling, AnAbortFromAnotherThreadIsHeardToo)
   }
 }
 
-TEST(MedialVoxelPolling, AnObserverThatThrowsEndsTheUpdateSoon)
+TEST(MedialVoxelAbortCheck, AnObserverThatThrowsEndsTheUpdateSoon)
 {
   for (const unsigned int units : { 1u, 2u })
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef itkMedialVoxelSpreadEdges_h
-#define itkMedialVoxelSpreadEdges_h
+#ifndef itkMedialVoxelNontrivialEdges_h
+#define itkMedialVoxelNontrivialEdges_h
 
 #include "MedialVoxelExport.h"
 
@@ -24,11 +24,11 @@ using MedialVoxelDisplacementRows = std::array<const std::int32_t *, 3>;
  * \return the bits of \a edges that hold; other bits are zero
  * \ingroup MedialVoxel */
 MedialVoxel_EXPORT std::uint64_t
-                   MedialVoxelSpreadEdges(const MedialVoxelDisplacementRows & lower,
-                                          const MedialVoxelDisplacementRows & upper,
-                                          unsigned int                        axis,
-                                          std::uint64_t                       edges,
-                                          std::int64_t                        number);
+                   MedialVoxelNontrivialEdges(const MedialVoxelDisplacementRows & lower,
+                                              const MedialVoxelDisplacementRows & upper,
+                                              unsigned int                        axis,
+                                              std::uint64_t                       edges,
+                                              std::int64_t                        number);
 
 } // end namespace itk
 

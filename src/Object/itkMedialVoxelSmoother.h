@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef itkMedialVoxelSmoothing_h
-#define itkMedialVoxelSmoothing_h
+#ifndef itkMedialVoxelSmoother_h
+#define itkMedialVoxelSmoother_h
 
 #include "itkMedialVoxelBits.h"
-#include "itkMedialVoxelLimit.h"
+#include "itkMedialVoxelExactNumber.h"
 #include "itkMedialVoxelObjectPredicate.h"
 #include "itkMedialVoxelRows.h"
 
@@ -24,7 +24,7 @@ namespace itk
 /** \brief Numbers of the smoothing F = 3 B^2 - 2 B^4, where B is the binomial step [1 2 1] / 4 along each axis.
  *
  * F removes noise and leaves edges and thin walls in place, since it has the same first three moments as no smoothing.
- * Beyond a face of the image it is as if the image were mirrored at the face. Values are integers times Scale.
+ * Beyond its faces the image is mirrored. Values are integers times Scale.
  * \ingroup MedialVoxel
  */
 struct MedialVoxelSmoothingNumbers
@@ -54,7 +54,7 @@ struct MedialVoxelSmoothingNumbers
 };
 
 /** \brief Call \a function(part) for strips of \a rows rows in a few slices of \a box, each of which is best read
- * together with its margin: few voxels are in memory, and few are read twice.
+ * together with its margin: this needs little memory and reads few voxels twice.
  * \ingroup MedialVoxel
  */
 template <typename TFunction>
@@ -78,7 +78,7 @@ MedialVoxelForEachStrip(const MedialVoxelBox & box, const std::int64_t rows, TFu
 }
 
 /** \class MedialVoxelMaskSmoothing
- * \brief The mask of a predicate is smoothed, and what is at least one half becomes object.
+ * \brief The mask of a predicate is smoothed, and values of at least one half become object.
  * \ingroup MedialVoxel
  */
 template <typename TPixel>
@@ -132,7 +132,7 @@ private:
  * \brief Values are smoothed and compared with a threshold.
  *
  * Exact for integers of up to 32 bits; others are doubles, which are added in one order. Values that are not finite
- * count as the threshold, which is for neither side, and NaN stays background.
+ * count as the threshold, which favors no side; NaN stays background.
  * \ingroup MedialVoxel
  */
 template <typename TPixel>
@@ -148,14 +148,14 @@ public:
 
   /** Object are the values from \a limit on. It is finite. */
   static MedialVoxelValueSmoothing
-  FromLower(const MedialVoxelLimit & limit)
+  FromLower(const MedialVoxelExactNumber & limit)
   {
     return MedialVoxelValueSmoothing(1, limit.GetFirstDouble(), GetFirst(limit));
   }
 
   /** Object are the values up to \a limit. It is finite. */
   static MedialVoxelValueSmoothing
-  FromUpper(const MedialVoxelLimit & limit)
+  FromUpper(const MedialVoxelExactNumber & limit)
   {
     return MedialVoxelValueSmoothing(-1, limit.GetLastDouble(), GetLast(limit));
   }
@@ -197,12 +197,12 @@ private:
 
   /** Between two integers the threshold is the next one inside; beyond the type it is the same number for F. */
   static SumType
-  GetFirst(const MedialVoxelLimit & limit)
+  GetFirst(const MedialVoxelExactNumber & limit)
   {
     return ScaleThreshold(std::is_integral<TPixel>::value ? std::ceil(limit.GetFirstDouble()) : limit.GetFirstDouble());
   }
   static SumType
-  GetLast(const MedialVoxelLimit & limit)
+  GetLast(const MedialVoxelExactNumber & limit)
   {
     return ScaleThreshold(std::is_integral<TPixel>::value ? std::floor(limit.GetLastDouble()) : limit.GetLastDouble());
   }
@@ -228,8 +228,8 @@ private:
 template <typename TPixel, typename TFunction>
 void
 MedialVoxelWithSmoothingRule(const MedialVoxelObjectPredicate<TPixel> & predicate,
-                             const MedialVoxelLimit &                   lower,
-                             const MedialVoxelLimit &                   upper,
+                             const MedialVoxelExactNumber &             lower,
+                             const MedialVoxelExactNumber &             upper,
                              TFunction &&                               function)
 {
   const bool hasLower = std::isfinite(lower.GetNearestDouble());
@@ -372,6 +372,6 @@ private:
 
 } // end namespace itk
 
-#include "itkMedialVoxelSmoothing.hxx"
+#include "itkMedialVoxelSmoother.hxx"
 
 #endif

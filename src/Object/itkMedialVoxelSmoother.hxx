@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef itkMedialVoxelSmoothing_hxx
-#define itkMedialVoxelSmoothing_hxx
+#ifndef itkMedialVoxelSmoother_hxx
+#define itkMedialVoxelSmoother_hxx
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelRoughness.h"
-#include "itkMedialVoxelSmoothing.h"
+#include "itkMedialVoxelSmoother.h"
 
 #include <gtest/gtest.h>
 
@@ -168,7 +168,7 @@ TestValues(double low, double high)
 
 } // namespace
 
-TEST(MedialVoxelSmoothing, ValuesFollowTheDefinition)
+TEST(MedialVoxelSmoother, ValuesFollowTheDefinition)
 {
   TestValues<std::uint8_t>(0, 255);
   TestValues<std::int8_t>(-128, 127);
@@ -180,7 +180,7 @@ TEST(MedialVoxelSmoothing, ValuesFollowTheDefinition)
   TestValues<double>(-3, 5);
 }
 
-TEST(MedialVoxelSmoothing, MasksFollowTheDefinition)
+TEST(MedialVoxelSmoother, MasksFollowTheDefinition)
 {
   using Predicate = itk::MedialVoxelObjectPredicate<std::int16_t>;
   using Rule = itk::MedialVoxelMaskSmoothing<std::int16_t>;
@@ -200,7 +200,7 @@ TEST(MedialVoxelSmoothing, MasksFollowTheDefinition)
   }
 }
 
-TEST(MedialVoxelSmoothing, ValuesThatAreNotFiniteCountAsTheThreshold)
+TEST(MedialVoxelSmoother, ValuesThatAreNotFiniteCountAsTheThreshold)
 {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   constexpr float notANumber = std::numeric_limits<float>::quiet_NaN();
@@ -227,7 +227,7 @@ TEST(MedialVoxelSmoothing, ValuesThatAreNotFiniteCountAsTheThreshold)
   }
 }
 
-TEST(MedialVoxelSmoothing, EqualValuesStay)
+TEST(MedialVoxelSmoother, EqualValuesStay)
 {
   const Volume<float> volume{ { { 30, 30, 30 } }, std::vector<float>(27000, 0.1f) };
   using Rule = itk::MedialVoxelValueSmoothing<float>;

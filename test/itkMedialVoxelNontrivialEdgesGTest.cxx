@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "itkMedialVoxelSpreadEdges.h"
+#include "itkMedialVoxelNontrivialEdges.h"
 
 #include "itkMedialVoxelFeatures.h"
 
@@ -49,7 +49,7 @@ IsUndefined(const Components & row, std::size_t i)
 }
 
 bool
-IsSpread(const Components & lower, const Components & upper, unsigned int axis, std::size_t i, std::size_t j)
+IsNontrivial(const Components & lower, const Components & upper, unsigned int axis, std::size_t i, std::size_t j)
 {
   bool result = false;
   for (unsigned int component = 0; component < 3; ++component)
@@ -63,12 +63,12 @@ IsSpread(const Components & lower, const Components & upper, unsigned int axis, 
 
 } // namespace
 
-TEST(MedialVoxelSpreadEdges, AgreesWithTheDifferences)
+TEST(MedialVoxelNontrivialEdges, AgreesWithTheDifferences)
 {
   std::mt19937                                 random(811);
   std::uniform_int_distribution<std::uint64_t> bits;
   std::uniform_int_distribution<int>           lengths(1, 64);
-  unsigned int                                 spread = 0;
+  unsigned int                                 nontrivial = 0;
   for (int round = 0; round < 600; ++round)
   {
     const auto         number = static_cast<std::size_t>(lengths(random));
@@ -79,7 +79,7 @@ TEST(MedialVoxelSpreadEdges, AgreesWithTheDifferences)
     const std::size_t   toUpper = axis == 0 ? 1 : 0;
     const std::uint64_t inRow = number == 64 ? ~std::uint64_t{ 0 } : (std::uint64_t{ 1 } << number) - 1;
     const std::uint64_t edges = (round % 4 == 0 ? ~std::uint64_t{ 0 } : bits(random) & bits(random)) & inRow;
-    const std::uint64_t result = itk::MedialVoxelSpreadEdges(
+    const std::uint64_t result = itk::MedialVoxelNontrivialEdges(
       RowsAt(lower, 0), RowsAt(upper, toUpper), axis, edges, static_cast<std::int64_t>(number));
     EXPECT_EQ(result & ~edges, 0u);
     for (std::size_t i = 0; i < number; ++i)
@@ -89,10 +89,10 @@ TEST(MedialVoxelSpreadEdges, AgreesWithTheDifferences)
       {
         continue;
       }
-      const bool expected = !IsUndefined(lower, i) && IsSpread(lower, upper, axis, i, j);
+      const bool expected = !IsUndefined(lower, i) && IsNontrivial(lower, upper, axis, i, j);
       EXPECT_EQ((result >> i & 1) != 0, expected) << round << ' ' << i;
-      spread += expected ? 1 : 0;
+      nontrivial += expected ? 1 : 0;
     }
   }
-  EXPECT_GT(spread, 1000u);
+  EXPECT_GT(nontrivial, 1000u);
 }
