@@ -60,7 +60,7 @@ CheckFiles(const VolumeHeader & header)
   }
   // Several headers of slices may share their voxels.
   const std::uint64_t places = std::max<std::uint64_t>(1, header.segments.size());
-  Require(header.GetVoxelBytes() / MaximumRatio <= available * places, "more voxels than the file can hold");
+  Require(header.GetDataSize() / MaximumRatio <= available * places, "more voxels than the file can hold");
 }
 
 /** The header of an output has the geometry of the input, to the last bit. */
@@ -80,7 +80,7 @@ CheckOutputHeader(const VolumeHeader & header)
 void
 ReadChunks(const VolumeHeader & header)
 {
-  const std::uint64_t bytes = header.GetVoxelBytes();
+  const std::uint64_t bytes = header.GetDataSize();
   const auto &        chunk = header.chunks->size;
   if (bytes > MaximumBytesOfChunks || chunk[0] * chunk[1] * chunk[2] > MaximumBytesToRead ||
       header.chunks->bytesPerThread > MaximumBytesToRead * MaximumCopies)
@@ -110,11 +110,11 @@ ReadChunks(const VolumeHeader & header)
 void
 ReadSlices(const VolumeHeader & header)
 {
-  if (header.GetVoxelBytes() <= MaximumBytesToRead)
+  if (header.GetDataSize() <= MaximumBytesToRead)
   {
     itk::MedialVoxelBox box{ { { 0, 0, 0 } }, { { 1, 1, 1 } } };
     std::copy(header.geometry.size.begin(), header.geometry.size.end(), box.upper.begin());
-    std::vector<char> voxels(header.GetVoxelBytes());
+    std::vector<char> voxels(header.GetDataSize());
     MakeValueReader(header)->Read(box, voxels.data());
   }
 }
@@ -165,7 +165,7 @@ ReadFrom(itk::StreamingRawImageIO & imageIO, const VolumeHeader & header, std::u
 void
 ReadVoxels(const VolumeHeader & header)
 {
-  const std::uint64_t bytes = header.GetVoxelBytes();
+  const std::uint64_t bytes = header.GetDataSize();
   if (bytes > MaximumBytesToRead)
   {
     return;
