@@ -146,6 +146,14 @@ protected:
     return dynamic_cast<const MedialVoxelObjectInput *>(m_Input.get());
   }
 
+  /** The maximum thickness that walls of the input need, where one was looked for and is too small. */
+  std::optional<double>
+  GetNeededMaximum() const
+  {
+    const MedialVoxelObjectInput * const input = this->GetObjectInput();
+    return input != nullptr ? input->GetNeededMaximum() : std::nullopt;
+  }
+
   /** Find out what the values beside the one threshold are made of, from samples, once for each change of the input.
    * There is no scan with two thresholds. */
   void
