@@ -121,15 +121,14 @@ MakeManifest(const ExtractOptions & options, const JobResult & job, const JobFol
 
 /** What all processes of the job do alike: the threshold, smooth or not, and measure walls. */
 ExtractOptions
-MeasureVolume(const ExtractOptions & options, Job & job, const ProgressSink & sink)
+MeasureVolume(const ExtractOptions & options, Job & job, ProgressSink & sink)
 {
-  const auto observer = [&sink](double) { ThrowIfStopRequested(sink); };
   job.Open(sink);
-  const auto input = job.OpenVolume();
-  input->Prepare(observer);
-  job.Measure(*input, observer);
+  job.Prepare(sink);
+  job.Measure([&sink](double) { ThrowIfStopRequested(sink); });
   ExtractOptions measured = options;
   measured.lowerThreshold = job.options.lowerThreshold;
+  measured.neededMaximum = job.options.neededMaximum;
   measured.roughness = job.result.roughness;
   measured.measure = job.result.wallMeasure;
   return measured;
