@@ -83,7 +83,7 @@ public:
   WallAreas(const double binWidth, const std::size_t numberOfBins, const std::function<void()> & checkAbort)
     : m_BinWidth(binWidth)
     , m_Areas(numberOfBins)
-    , m_HearAbort(checkAbort)
+    , m_CheckAbort(checkAbort)
   {}
 
   void
@@ -115,7 +115,7 @@ public:
   {
     try
     {
-      m_HearAbort();
+      m_CheckAbort();
     }
     catch (...)
     {
@@ -166,7 +166,7 @@ private:
   double                     m_BinWidth;
   double                     m_Total{ 0.0 };
   std::vector<double>        m_Areas;
-  std::function<void()>      m_HearAbort;
+  std::function<void()>      m_CheckAbort;
   mutable std::exception_ptr m_Abort;
 };
 
