@@ -103,6 +103,9 @@ protected:
   void
   PrintSelf(std::ostream & os, Indent indent) const override;
 
+  std::unique_ptr<MedialVoxelInput>
+  MakeInput(MedialVoxelValueSource & source) override;
+
   MedialVoxelEngineTask
   GetTask(const MedialVoxelGrid & grid) const override;
 

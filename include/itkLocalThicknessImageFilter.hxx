@@ -35,6 +35,20 @@ LocalThicknessImageFilter<TInputImage>::UnsetLargestBall()
 }
 
 template <typename TInputImage>
+std::unique_ptr<MedialVoxelInput>
+LocalThicknessImageFilter<TInputImage>::MakeInput(MedialVoxelValueSource & source)
+{
+  auto input = Superclass::MakeInput(source);
+  if (m_Method == MethodEnum::Wall)
+  {
+    const MedialVoxelGrid grid = this->GetGrid();
+    const double          maximum = MedialVoxelParameters::LimitsOfWalls(grid, 0.0, 0.0).maximum;
+    static_cast<MedialVoxelObjectInput &>(*input).LookForThickWalls(grid, maximum);
+  }
+  return input;
+}
+
+template <typename TInputImage>
 MedialVoxelEngineTask
 LocalThicknessImageFilter<TInputImage>::GetTask(const MedialVoxelGrid & grid) const
 {
@@ -51,6 +65,7 @@ LocalThicknessImageFilter<TInputImage>::GetTask(const MedialVoxelGrid & grid) co
   {
     MedialVoxelParameters::Settings settings;
     settings.mode = MedialVoxelThicknessMode::Automatic;
+    settings.maximumThickness = this->GetNeededMaximum().value_or(0.0);
     settings.maximumPoreSize = 0;
     task.walls.emplace();
     task.walls->parameters = MedialVoxelParameters::ForSettings(grid, settings);

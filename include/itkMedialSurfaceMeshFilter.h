@@ -159,6 +159,11 @@ private:
   void
   RunPieces();
 
+  /** Call run(), in which the label filter works, and report its progress from getDone(). */
+  template <typename TGetDone, typename TRun>
+  void
+  WatchLabelFilter(const TGetDone & getDone, const TRun & run);
+
   void
   RequestPiece(IndexValueType firstSlice);
 

@@ -110,7 +110,11 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GenerateData()
   std::copy_n(input.GetSpacing().Begin(), 3, settings.spacing.begin());
   settings.grid = { GetSize(input),
                     this->GetUseImageSpacing() ? settings.spacing : MedialVoxelGrid::SpacingType{ { 1.0, 1.0, 1.0 } } };
-  settings.parameters = this->GetParameters(settings.grid);
+  // Tiles classified before have no observer.
+  m_LabelFilter->Modified();
+  this->WatchLabelFilter([] { return 0.0f; },
+                         [this] { MedialVoxelWithItkErrors([this] { m_LabelFilter->PrepareInput(); }); });
+  settings.parameters = this->GetParameters(settings.grid, m_LabelFilter->GetNeededMaximum());
   settings.placement = GetPlacement(input);
   settings.minimumBranchLength = m_MinimumBranchLength;
   settings.smallestComponent = m_SmallestComponent;
@@ -146,11 +150,27 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::RunPieces()
   IndexValueType       slice = begin;
 
   m_LabelFilter->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
-  // Tiles classified before have no observer.
-  m_LabelFilter->Modified();
-  const auto onProgress = [&](const EventObject &) {
+  const auto getDone = [&] {
     const float done = static_cast<float>(slice - begin) + m_LabelFilter->GetProgress() * static_cast<float>(slices);
-    this->UpdateProgress(std::min(1.0f, done / static_cast<float>(end - begin)));
+    return std::min(1.0f, done / static_cast<float>(end - begin));
+  };
+  this->WatchLabelFilter(getDone, [&] {
+    for (; slice < end; slice += slices)
+    {
+      this->RequestPiece(slice);
+      // Not Update(), which would have the input produce its first part again.
+      labels.UpdateOutputData();
+    }
+  });
+}
+
+template <typename TInputImage, typename TOutputMesh>
+template <typename TGetDone, typename TRun>
+void
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::WatchLabelFilter(const TGetDone & getDone, const TRun & run)
+{
+  const auto onProgress = [&](const EventObject &) {
+    this->UpdateProgress(getDone());
     if (this->GetAbortGenerateData())
     {
       m_LabelFilter->AbortGenerateDataOn();
@@ -159,21 +179,16 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::RunPieces()
   const unsigned long tag = m_LabelFilter->AddObserver(ProgressEvent(), onProgress);
   try
   {
-    for (; slice < end; slice += slices)
-    {
-      this->RequestPiece(slice);
-      // Not Update(), which would have the input produce its first part again.
-      labels.UpdateOutputData();
-    }
+    run();
   }
   catch (...)
   {
     m_LabelFilter->RemoveObserver(tag);
-    labels.ReleaseData();
+    m_LabelFilter->GetOutput()->ReleaseData();
     throw;
   }
   m_LabelFilter->RemoveObserver(tag);
-  labels.ReleaseData();
+  m_LabelFilter->GetOutput()->ReleaseData();
 }
 
 template <typename TInputImage, typename TOutputMesh>

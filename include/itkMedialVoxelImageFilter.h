@@ -113,6 +113,13 @@ public:
     return input != nullptr && input->GetRoughness() ? input->GetRoughness()->GetRatio() : 0.0;
   }
 
+  /** The MaximumThickness of the last update in which the default was raised; 0 when it was not. */
+  double
+  GetRaisedMaximumThickness() const
+  {
+    return this->GetNeededMaximum().value_or(0.0);
+  }
+
   /** Produce the vector distance output. Default off, which costs neither time nor memory. */
   virtual void
   SetGenerateVectorDistance(bool generate);

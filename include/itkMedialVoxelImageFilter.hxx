@@ -12,8 +12,14 @@ template <typename TInputImage, typename TOutputImage>
 std::unique_ptr<MedialVoxelInput>
 MedialVoxelImageFilter<TInputImage, TOutputImage>::MakeInput(MedialVoxelValueSource & source)
 {
-  return std::make_unique<MedialVoxelObjectInput>(
-    source, this->GetGrid().GetVoxelBox(), this->GetObjectRule(), this->GetSmoothing());
+  const MedialVoxelGrid grid = this->GetGrid();
+  auto                  input =
+    std::make_unique<MedialVoxelObjectInput>(source, grid.GetVoxelBox(), this->GetObjectRule(), this->GetSmoothing());
+  if (const auto maximum = this->GetDefaultMaximumThickness(grid))
+  {
+    input->LookForThickWalls(grid, *maximum);
+  }
+  return input;
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -121,7 +127,7 @@ MedialVoxelEngineTask
 MedialVoxelImageFilter<TInputImage, TOutputImage>::GetTask(const MedialVoxelGrid & grid) const
 {
   MedialVoxelSheetExtraction extraction;
-  extraction.parameters = this->GetParameters(grid);
+  extraction.parameters = this->GetParameters(grid, this->GetNeededMaximum());
   extraction.measuresThickness = m_GenerateThickness || m_GenerateUncertainty;
   if (m_GenerateVectorDistance)
   {
@@ -178,6 +184,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream & os, 
   Superclass::PrintSelf(os, indent);
   os << indent << "ObjectIsSmoothed: " << (this->GetObjectIsSmoothed() ? "Yes" : "No") << std::endl;
   os << indent << "Roughness: " << this->GetRoughness() << std::endl;
+  os << indent << "RaisedMaximumThickness: " << this->GetRaisedMaximumThickness() << std::endl;
   os << indent << "GenerateVectorDistance: " << (m_GenerateVectorDistance ? "On" : "Off") << std::endl;
   os << indent << "VectorDistanceBoundary: " << m_VectorDistanceBoundary << std::endl;
   os << indent << "GenerateThickness: " << (m_GenerateThickness ? "On" : "Off") << std::endl;

@@ -146,6 +146,14 @@ protected:
     return dynamic_cast<const MedialVoxelObjectInput *>(m_Input.get());
   }
 
+  /** The maximum thickness that walls of the input need, where one was looked for and is too small. */
+  std::optional<double>
+  GetNeededMaximum() const
+  {
+    const MedialVoxelObjectInput * const input = this->GetObjectInput();
+    return input != nullptr ? input->GetNeededMaximum() : std::nullopt;
+  }
+
   /** Find the materials beside the one threshold from samples, once for each change of the input. With two thresholds
    * there is no scan. */
   void

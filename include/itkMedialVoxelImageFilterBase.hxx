@@ -222,6 +222,10 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::PrepareInput()
     this->ReadBeforeRun([&](const auto & observer) { input->Prepare(observer); });
     m_Input = std::move(input);
     m_InputMTime = modifiedTime;
+    if (this->GetNeededMaximum())
+    {
+      this->DropWindow();
+    }
   }
   return *m_Input;
 }
@@ -234,7 +238,11 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::ReadBeforeRun(TFunction &
   Client                         client(*this, 0, 1);
   PassProgress                   progress(client);
   const MedialVoxelProgressScope scope(progress);
-  return function([](double) { MedialVoxelCheckAbort(); });
+  return function([&progress](double) {
+    // Work with a progress of its own hears this one, too.
+    const MedialVoxelProgressScope asked(progress);
+    MedialVoxelCheckAbort();
+  });
 }
 
 template <typename TInputImage, typename TOutputImage>

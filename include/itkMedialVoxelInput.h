@@ -4,6 +4,7 @@
 #define itkMedialVoxelInput_h
 
 #include "itkMedialVoxelEnums.h"
+#include "itkMedialVoxelGrid.h"
 #include "itkMedialVoxelExactNumber.h"
 #include "itkMedialVoxelObjectMap.h"
 #include "itkMedialVoxelRoughness.h"
@@ -84,9 +85,24 @@ public:
                          const MedialVoxelObjectRule & rule,
                          MedialVoxelEnums::Smoothing   smoothing);
 
-  /** Measures the roughness where the smoothing is automatic. */
+  /** Have Prepare() find out whether walls are thicker than a maximum. */
+  void
+  LookForThickWalls(const MedialVoxelGrid & grid, double maximum)
+  {
+    m_LookedFor = { grid, maximum };
+  }
+
+  /** Measures the roughness where the smoothing is automatic, and the thick walls that are looked for. */
   void
   Prepare(const Observer & observer) override;
+
+  /** The maximum thickness that the walls need, where the one that was looked for is too small for a quarter of
+   * them or more. At most twice as large. Known after Prepare(). */
+  const std::optional<double> &
+  GetNeededMaximum() const
+  {
+    return m_NeededMaximum;
+  }
 
   /** Of the object that is not smoothed, if it was measured. */
   const std::optional<MedialVoxelRoughness> &
@@ -124,10 +140,18 @@ public:
              const Observer &                             observer);
 
 private:
+  struct LookedFor
+  {
+    MedialVoxelGrid grid;
+    double          maximum;
+  };
+
   MedialVoxelBox                      m_Image;
   MedialVoxelObjectRule               m_Rule;
   MedialVoxelEnums::Smoothing         m_Smoothing;
   std::optional<MedialVoxelRoughness> m_Roughness;
+  std::optional<LookedFor>            m_LookedFor;
+  std::optional<double>               m_NeededMaximum;
 };
 
 /** \class MedialVoxelLabelInput

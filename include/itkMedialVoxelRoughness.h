@@ -8,8 +8,6 @@
 #include "MedialVoxelExport.h"
 
 #include <cstdint>
-#include <functional>
-#include <vector>
 
 namespace itk
 {
@@ -55,34 +53,6 @@ struct MedialVoxel_EXPORT MedialVoxelRoughness
  */
 MedialVoxel_EXPORT MedialVoxelRoughness
 MedialVoxelMeasureRoughness(const MedialVoxelBits & object, const MedialVoxelBox & box, const MedialVoxelBox & image);
-
-/** \class MedialVoxelRoughnessPass
- * \brief A pass over a whole object, slices by slices, to measure it.
- * \ingroup MedialVoxel
- */
-struct MedialVoxelRoughnessPass
-{
-  using Boxes = std::vector<MedialVoxelBox>;
-  using Work = std::function<void(const MedialVoxelBox &)>;
-
-  /** Sets the bits of the object voxels of a box. */
-  std::function<void(const MedialVoxelBox & box, MedialVoxelBits & object)> fill;
-
-  /** Calls \a work for each of the boxes, in any order, also in several threads. */
-  std::function<void(const Boxes & boxes, const Work & work)> forEach;
-
-  /** Called with the share of the object that was read, from 0 to 1; may throw to abort. */
-  std::function<void(double)> observe;
-
-  std::int64_t rows{ 1 };   ///< that are best read together, in all slices; 1: slices are
-  std::int64_t slices{ 1 }; ///< that are best read together
-};
-
-/** \brief Measure the whole \a image.
- * \ingroup MedialVoxel
- */
-MedialVoxel_EXPORT MedialVoxelRoughness
-MedialVoxelMeasureRoughness(const MedialVoxelRoughnessPass & pass, const MedialVoxelBox & image);
 
 } // end namespace itk
 

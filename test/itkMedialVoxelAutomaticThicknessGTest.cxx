@@ -98,7 +98,7 @@ TEST(MedialVoxelAutomaticThickness, TheFilterFollowsTheDefinition)
   const Volume flat = RandomBoxes({ { 60, 55, 1 } }, UnitSpacing, 17, 602);
   const Volume cleanFlat = WithoutPores(flat, 32);
   const auto   plane = JointClassifier(cleanFlat, { 3.0, 16.0 }).Run(Bound::FreeSpace);
-  EXPECT_TRUE(AreEqual(RunAutomatically<2>(flat).labels, plane.labels));
+  EXPECT_TRUE(AreEqual(RunAutomatically<2>(flat, 3.0, 16.0).labels, plane.labels));
   EXPECT_GT(plane.counts.geodesicMedialCells, 50u);
 }
 

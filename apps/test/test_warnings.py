@@ -155,7 +155,7 @@ class WarningTest(ProgramTestCase):
 
     def test_walls_beyond_the_maximum_thickness(self):
         for spacing in (1, 0.25):
-            volume = solid((48, 48, 48), lambda x, y, z: 8 <= z < 40 and 4 <= x < 44, spacing=[spacing] * 3)
+            volume = solid((48, 48, 60), lambda x, y, z: 8 <= z < 52 and 4 <= x < 44, spacing=[spacing] * 3)
             reports = []
             for arguments in ([], ["--divisions", 5, "--threads", 3]):
                 found = self.warnings(volume, *arguments)
@@ -163,7 +163,7 @@ class WarningTest(ProgramTestCase):
                 values = found["beyond_max_thickness"]["values"]
                 self.assertEqual(values["max_thickness"], 16 * spacing)
                 self.assertGreater(values["area_percent"], 90)
-                self.assertTrue(24 * spacing <= values["suggested_max_thickness"] <= 32 * spacing)
+                self.assertTrue(36 * spacing <= values["suggested_max_thickness"] <= 44 * spacing)
             self.assertEqual(*reports)
             found = self.warnings(volume, "--max-thickness", values["suggested_max_thickness"])
             self.assertNotIn("beyond_max_thickness", found)

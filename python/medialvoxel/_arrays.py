@@ -197,6 +197,7 @@ def extract(
         measure=numbers["measure"],
         smoothed=numbers["smoothed"],
         roughness=numbers["roughness"],
+        max_thickness=numbers["max_thickness"],
         lower=numbers["lower"],
     )
 

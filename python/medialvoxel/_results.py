@@ -46,6 +46,9 @@ class Medial:
     """Whether the object was smoothed."""
     roughness: float
     """Share of the voxels at the border of the object that stand alone, where smooth="auto" measured it; or 0."""
+    max_thickness: float | None
+    """The maximum of the automatic thickness that was applied. The default of 16 voxels rises, up to 32, where a quarter
+    of the walls or more are thicker. None with a fixed thickness."""
     lower: float | None
     """The lower threshold, also that of Otsu."""
 

@@ -41,6 +41,17 @@ ArrayEngine::MakeObject(const Smoothing smoothing)
   return { m_Source, m_Grid.GetVoxelBox(), GetObjectRule(m_Options), smoothing };
 }
 
+void
+ArrayEngine::Prepare(itk::MedialVoxelObjectInput & object, ExtractOptions & options)
+{
+  if (const auto maximum = GetDefaultMaximumThickness(options, m_Grid))
+  {
+    object.LookForThickWalls(m_Grid, *maximum);
+  }
+  this->ReadBeforeRun([&](const auto & observer) { object.Prepare(observer); });
+  options.neededMaximum = object.GetNeededMaximum();
+}
+
 ArrayMeasure
 ArrayEngine::FindMeasure(itk::MedialVoxelObjectInput &                     object,
                          const bool                                        mayUseValues,

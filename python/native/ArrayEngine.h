@@ -49,6 +49,11 @@ public:
   itk::MedialVoxelObjectInput
   MakeObject(Smoothing smoothing);
 
+  /** Reads it once for what must be known before a run: noise, and thick walls, for which the maximum thickness of the
+   * options rises. */
+  void
+  Prepare(itk::MedialVoxelObjectInput & object, ExtractOptions & options);
+
   ArraySource &
   GetSource()
   {
@@ -67,7 +72,11 @@ public:
   ReadBeforeRun(TFunction && function)
   {
     const itk::MedialVoxelProgressScope scope(*this);
-    return function([](double) { itk::MedialVoxelCheckAbort(); });
+    return function([this](double) {
+      // Work with a progress of its own hears this one, too.
+      const itk::MedialVoxelProgressScope asked(*this);
+      itk::MedialVoxelCheckAbort();
+    });
   }
 
   /** How the walls of a prepared object are measured.

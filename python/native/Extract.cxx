@@ -44,8 +44,10 @@ nlohmann::json
 Describe(const itk::MedialVoxelCounts &                   counts,
          const std::optional<itk::MedialVoxelRoughness> & roughness,
          const bool                                       isSmoothed,
-         const ArrayMeasure &                             measure)
+         const ArrayMeasure &                             measure,
+         const itk::MedialVoxelParameters &               parameters)
 {
+  const bool     isAutomatic = parameters.mode == itk::MedialVoxelThicknessMode::Automatic;
   nlohmann::json json;
   for (const NamedCount & count : NamedCounts)
   {
@@ -55,16 +57,17 @@ Describe(const itk::MedialVoxelCounts &                   counts,
   return { { "counts", json },
            { "smoothed", isSmoothed },
            { "roughness", roughness ? roughness->GetRatio() : 0.0 },
+           { "max_thickness", isAutomatic ? nlohmann::json(2.0 * parameters.largestRadius) : nullptr },
            { "measure", measure.Describe() } };
 }
 
 nlohmann::json
-ExtractOne(const ArrayCall & call, const ExtractOptions & options)
+ExtractOne(const ArrayCall & call, ExtractOptions options)
 {
   const MedialVoxelOutputs &  outputs = call.outputs;
   ArrayEngine                 engine(call, options);
   itk::MedialVoxelObjectInput object = engine.MakeObject(GetSmoothing(options));
-  engine.ReadBeforeRun([&](const auto & observer) { object.Prepare(observer); });
+  engine.Prepare(object, options);
   itk::MedialVoxelSheetExtraction extraction = MakeExtraction(engine, call, options);
   const bool                      measures = extraction.measuresThickness;
   const ArrayMeasure              measure =
@@ -93,7 +96,7 @@ ExtractOne(const ArrayCall & call, const ExtractOptions & options)
       engine.WriteVectors(tile, outputs.vectors);
     }
   });
-  return Describe(sums.counts, object.GetRoughness(), object.IsSmoothed(), measure);
+  return Describe(sums.counts, object.GetRoughness(), object.IsSmoothed(), measure, extraction.parameters);
 }
 
 /** \throw JobError Usage for a label that is a name, or that no value has; CorruptInput where values are no labels */
@@ -175,8 +178,8 @@ ExtractObjects(const ArrayCall & call, const ExtractOptions & options)
   }
   united.Finish();
   Write(united, map.GetTable(), call);
-  nlohmann::json numbers =
-    Describe(counts, std::nullopt, false, { {}, { {}, DescribeMeasureOnObject(options, call.header) } });
+  nlohmann::json numbers = Describe(
+    counts, std::nullopt, false, { {}, { {}, DescribeMeasureOnObject(options, call.header) } }, extraction.parameters);
   numbers["objects"] = nlohmann::json::array();
   for (const std::int64_t label : map.GetTable().GetValues())
   {

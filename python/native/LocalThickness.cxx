@@ -16,9 +16,13 @@ MeasureLocalThickness(const ArrayCall & call, const PartOptions & options)
   }
   ExtractOptions thicknessOptions = GetThicknessOptions(options);
   thicknessOptions.maximumPoreSize = 0; // the thickness is that of the array as it is
-  ArrayEngine                    engine(call, options);
+  ArrayEngine                 engine(call, options);
+  itk::MedialVoxelObjectInput object = engine.MakeObject(Smoothing::Off);
+  if (isOfWalls)
+  {
+    engine.Prepare(object, thicknessOptions);
+  }
   itk::MedialVoxelLocalThickness task = GetLocalThickness(thicknessOptions, engine.GetGrid());
-  itk::MedialVoxelObjectInput    object = engine.MakeObject(Smoothing::Off);
   const bool mayUseValues = options.subVoxel.value_or(isOfWalls && HasOneThreshold(options, call.header));
   if (task.walls)
   {

@@ -46,7 +46,7 @@ MeshArray(const ArrayCall & call, const ExtractOptions & given, ArrayMesh & mesh
   CheckElementSize(options, geometry);
   ArrayEngine                 engine(call, options);
   itk::MedialVoxelObjectInput object = engine.MakeObject(GetSmoothing(options));
-  engine.ReadBeforeRun([&](const auto & observer) { object.Prepare(observer); });
+  engine.Prepare(object, options);
   const ArrayMeasure measure =
     engine.FindMeasure(object, MayMeasureOnGrayValues(options, call.header), "", options.materials);
   SheetMesh surface(options, geometry, engine.GetGrid(), geometry.GetNumberOfVoxels() * SheetMesh::MostPending);

@@ -33,6 +33,22 @@ class Files(Folder):
         for name, number in found.counts.items():
             self.assertEqual(report["counts"][name], number)
 
+    def test_thick_walls_raise_the_maximum_of_both(self):
+        mask = np.zeros((60, 64, 68), np.uint8)
+        mask[4:-4, 4:-4, 4:-4] = 1
+        mask[26:-26, 26:-26, 26:-26] = 0
+        write(self.input, mask, (0.5, 0.5, 0.5))
+        report = medialvoxel.extract_file(self.input, self.folder / "out.mha", overwrite=True)
+        found = medialvoxel.extract(mask, spacing=0.5)
+        self.assertEqual(report["parameters"]["raised_from"], 8)
+        self.assertEqual(found.max_thickness, report["parameters"]["max_thickness"])
+        self.assertGreaterEqual(found.max_thickness, 11)
+        np.testing.assert_array_equal(read(self.folder / "out.mha"), found.labels)
+        given = medialvoxel.extract(mask, spacing=0.5, max_thickness=8)
+        self.assertEqual(given.max_thickness, 8)
+        self.assertNotEqual(given.counts["medial_cells"], found.counts["medial_cells"])
+        self.assertIsNone(medialvoxel.extract(mask, 3).max_thickness)
+
     def test_values_of_all_axes_are_z_first(self):
         raw = self.folder / "in.raw"
         raw.write_bytes(scene().astype("uint8").tobytes())

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
-#include <mutex>
 
 namespace itk
 {
@@ -120,36 +119,6 @@ private:
   MedialVoxelIndex        m_Margin;
 };
 
-/** Slices that are in memory: few, but enough for all threads. */
-constexpr std::int64_t LeastSlices = 16;
-
-/** Rows that one thread reads, when it reads strips of them. */
-constexpr std::int64_t LeastRows = 32;
-
-/** Slices, or strips of rows when rows are read together or there is one slice. */
-std::vector<MedialVoxelBox>
-Cut(const MedialVoxelBox & box, const std::int64_t rows)
-{
-  const bool                  isSlices = rows == 1 && box.Extent(2) > 1;
-  const unsigned int          axis = isSlices ? 2 : 1;
-  const std::int64_t          unit = isSlices ? 1 : std::max(rows, LeastRows);
-  std::vector<MedialVoxelBox> parts;
-  for (MedialVoxelBox part = box; part.lower[axis] < box.upper[axis]; part.lower[axis] = part.upper[axis])
-  {
-    part.upper[axis] = std::min((part.lower[axis] / unit + 1) * unit, box.upper[axis]);
-    parts.push_back(part);
-  }
-  return parts;
-}
-
-MedialVoxelBox
-WithSlices(MedialVoxelBox box, const std::int64_t begin, const std::int64_t end)
-{
-  box.lower[2] = begin;
-  box.upper[2] = end;
-  return box;
-}
-
 std::uint64_t
 CountBits(const WordType word)
 {
@@ -186,33 +155,6 @@ MedialVoxelMeasureRoughness(const MedialVoxelBits & object, const MedialVoxelBox
         }
       }
     }
-  }
-  return roughness;
-}
-
-MedialVoxelRoughness
-MedialVoxelMeasureRoughness(const MedialVoxelRoughnessPass & pass, const MedialVoxelBox & image)
-{
-  const std::int64_t   end = image.upper[2];
-  const std::int64_t   step = std::max(LeastSlices, pass.slices);
-  MedialVoxelBits      object;
-  MedialVoxelRoughness roughness;
-  std::mutex           mutex;
-  std::int64_t         counted = 0; // slices; one is counted when the next one is there
-  for (std::int64_t z = 0; z < end; z += step)
-  {
-    pass.observe(static_cast<double>(z) / static_cast<double>(end));
-    const MedialVoxelBox read = WithSlices(image, z, std::min(z + step, end));
-    const MedialVoxelBox window = WithSlices(image, std::max<std::int64_t>(counted - 1, 0), read.upper[2]);
-    object.Reframe(window, window);
-    pass.forEach(Cut(read, pass.rows), [&](const MedialVoxelBox & part) { pass.fill(part, object); });
-    const MedialVoxelBox ready = WithSlices(image, counted, read.upper[2] == end ? end : read.upper[2] - 1);
-    pass.forEach(Cut(ready, 1), [&](const MedialVoxelBox & part) {
-      const MedialVoxelRoughness        ofPart = MedialVoxelMeasureRoughness(object, part, image);
-      const std::lock_guard<std::mutex> lock(mutex);
-      roughness += ofPart;
-    });
-    counted = ready.upper[2];
   }
   return roughness;
 }

@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelInput.h"
 
+#include "itkMedialVoxelObjectPass.h"
 #include "itkMedialVoxelObjectPredicate.h"
 #include "itkMedialVoxelProgress.h"
 #include "itkMedialVoxelSmoother.h"
+#include "itkMedialVoxelThickWalls.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <mutex>
+#include <utility>
 
 namespace itk
 {
@@ -17,6 +21,9 @@ namespace
 
 using Numbers = MedialVoxelSmoothingNumbers;
 using Smoothing = MedialVoxelEnums::Smoothing;
+
+/** A multiple of the rows of all blocks that are looked at. */
+constexpr std::int64_t RowsOfBlocks = 32;
 
 /** A multiple of the rows that are best read together. */
 std::int64_t
@@ -93,6 +100,35 @@ FillSmoothed(MedialVoxelValueSource &                   source,
   });
 }
 
+/** \class RoughnessSum
+ * \brief The roughness of parts, which several threads add. */
+class RoughnessSum
+{
+public:
+  explicit RoughnessSum(const MedialVoxelBox & image)
+    : m_Image(image)
+  {}
+
+  void
+  Add(const MedialVoxelBits & object, const MedialVoxelBox & part)
+  {
+    const MedialVoxelRoughness        ofPart = MedialVoxelMeasureRoughness(object, part, m_Image);
+    const std::lock_guard<std::mutex> lock(m_Mutex);
+    m_Sum += ofPart;
+  }
+
+  const MedialVoxelRoughness &
+  Get() const
+  {
+    return m_Sum;
+  }
+
+private:
+  MedialVoxelBox       m_Image;
+  std::mutex           m_Mutex;
+  MedialVoxelRoughness m_Sum;
+};
+
 } // namespace
 
 MedialVoxelObjectInput::MedialVoxelObjectInput(MedialVoxelValueSource &      source,
@@ -108,20 +144,45 @@ MedialVoxelObjectInput::MedialVoxelObjectInput(MedialVoxelValueSource &      sou
 void
 MedialVoxelObjectInput::Prepare(const Observer & observer)
 {
-  if (m_Smoothing != Smoothing::Automatic)
+  const bool measuresRoughness = m_Smoothing == Smoothing::Automatic;
+  if (!measuresRoughness && !m_LookedFor)
   {
     return;
   }
   MedialVoxelValueSource & source = this->GetSource();
-  m_Smoothing = Smoothing::Off;
-  MedialVoxelRoughnessPass pass;
+  const Smoothing          smoothing = std::exchange(m_Smoothing, Smoothing::Off);
+  MedialVoxelObjectPass    pass;
   pass.fill = [this](const auto & box, auto & object) { this->Fill(box, { &object }); };
   pass.forEach = [&source](const auto & boxes, const auto & work) { source.ForEach(boxes, 0, work); };
   pass.observe = observer;
   pass.rows = source.GetRowsReadTogether();
   pass.slices = source.GetSlicesReadTogether();
-  m_Roughness = MedialVoxelMeasureRoughness(pass, m_Image);
-  m_Smoothing = m_Roughness->NeedsSmoothing() ? Smoothing::On : Smoothing::Off;
+  RoughnessSum                         roughness(m_Image);
+  std::optional<MedialVoxelThickWalls> walls;
+  if (m_LookedFor)
+  {
+    walls.emplace(m_LookedFor->grid, m_LookedFor->maximum);
+  }
+  pass.Run(m_Image, walls ? walls->GetStep() : 1, [&](const auto & object, const auto & box) {
+    if (measuresRoughness)
+    {
+      pass.forEach(pass.Cut(box, 1), [&](const auto & part) { roughness.Add(object, part); });
+    }
+    if (walls)
+    {
+      pass.forEach(pass.Cut(box, RowsOfBlocks), [&](const auto & part) { walls->Add(object, part); });
+    }
+  });
+  m_Smoothing = smoothing;
+  if (measuresRoughness)
+  {
+    m_Roughness = roughness.Get();
+    m_Smoothing = m_Roughness->NeedsSmoothing() ? Smoothing::On : Smoothing::Off;
+  }
+  if (walls)
+  {
+    m_NeededMaximum = walls->FindNeededMaximum([&observer] { observer(1.0); });
+  }
 }
 
 std::int64_t

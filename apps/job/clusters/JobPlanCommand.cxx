@@ -121,15 +121,14 @@ MakeManifest(const ExtractOptions & options, const JobResult & job, const JobFol
 
 /** Decisions that all processes of the job share: the threshold, smoothing, and the measure of walls. */
 ExtractOptions
-MeasureVolume(const ExtractOptions & options, Job & job, const ProgressSink & sink)
+MeasureVolume(const ExtractOptions & options, Job & job, ProgressSink & sink)
 {
-  const auto observer = [&sink](double) { ThrowIfStopRequested(sink); };
   job.Open(sink);
-  const auto input = job.OpenVolume();
-  input->Prepare(observer);
-  job.Measure(*input, observer);
+  job.Prepare(sink);
+  job.Measure([&sink](double) { ThrowIfStopRequested(sink); });
   ExtractOptions measured = options;
   measured.lowerThreshold = job.options.lowerThreshold;
+  measured.neededMaximum = job.options.neededMaximum;
   measured.roughness = job.result.roughness;
   measured.measure = job.result.wallMeasure;
   return measured;

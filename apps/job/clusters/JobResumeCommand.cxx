@@ -26,6 +26,7 @@ RefuseOtherJob(ExtractOptions options, const JobFolder & folder)
   }
   options.roughness = manifest.options.roughness; // was measured, too
   options.measure = manifest.options.measure;
+  options.neededMaximum = manifest.options.neededMaximum;
   const std::string difference = FindDifference(WithAbsoluteNames(options, std::filesystem::current_path()),
                                                 WithAbsoluteNames(manifest.options, manifest.folder));
   if (!difference.empty())

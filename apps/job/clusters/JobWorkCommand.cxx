@@ -338,6 +338,7 @@ RunWork(const WorkOptions & options, ProgressSink & sink)
         return;
       }
       planned.Open(sink);
+      planned.Prepare(sink);
       result = ClusterWorker(job, planned, sink).Run(clusters);
     });
   }

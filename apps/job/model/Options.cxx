@@ -175,11 +175,25 @@ GetSmoothing(const ExtractOptions & options)
   return options.roughness->NeedsSmoothing() ? Smoothing::On : Smoothing::Off;
 }
 
+/** 0: the default. */
+static double
+GetMaximumThickness(const ExtractOptions & options)
+{
+  return options.maximumThickness.value_or(options.neededMaximum.value_or(0.0));
+}
+
 itk::MedialVoxelParameters::Limits
 GetLimitsOfWalls(const ExtractOptions & options, const itk::MedialVoxelGrid & grid)
 {
   return itk::MedialVoxelParameters::LimitsOfWalls(
-    grid, options.minimumThickness.value_or(0.0), options.maximumThickness.value_or(0.0));
+    grid, options.minimumThickness.value_or(0.0), GetMaximumThickness(options));
+}
+
+std::optional<double>
+GetDefaultMaximumThickness(const ExtractOptions & options, const itk::MedialVoxelGrid & grid)
+{
+  const bool isDefault = !options.thickness && !options.maximumThickness && !options.neededMaximum && !options.labels;
+  return isDefault ? std::optional(GetLimitsOfWalls(options, grid).maximum) : std::nullopt;
 }
 
 itk::MedialVoxelParameters
@@ -200,7 +214,7 @@ GetParameters(const ExtractOptions & options, const itk::MedialVoxelGrid & grid)
   settings.mode = options.thickness ? itk::MedialVoxelThicknessMode::Fixed : itk::MedialVoxelThicknessMode::Automatic;
   settings.thickness = options.thickness.value_or(settings.thickness);
   settings.minimumThickness = options.minimumThickness.value_or(0.0);
-  settings.maximumThickness = options.maximumThickness.value_or(0.0);
+  settings.maximumThickness = GetMaximumThickness(options);
   settings.maximumPoreSize = options.maximumPoreSize;
   return Parameters::ForSettings(grid, settings);
 }

@@ -70,6 +70,8 @@ struct JobOptions
   std::optional<LabelValue> label;                ///< object: value == label, and no thresholds; unset: they decide
   bool                      voxelUnits{ false };  ///< lengths in voxels instead of physical units
 
+  std::optional<double> neededMaximum; ///< thickness that walls need in place of the default, once known
+
   std::string distanceFile; ///< signed distance, float32
   std::string reportFile;   ///< JSON; StandardOutput: the caller writes MakeReport() there
   std::string logFile;      ///< gets a line for each step; existing ones stay
@@ -121,7 +123,7 @@ struct ExtractOptions : JobOptions
   /** Lengths > 0 and finite, in the units of voxelUnits. The limits belong to the automatic thickness. */
   std::optional<double> thickness;        ///< tau; unset: automatic
   std::optional<double> minimumThickness; ///< unset: 3 voxels of the smallest spacing
-  std::optional<double> maximumThickness; ///< unset: 16 voxels of the smallest spacing
+  std::optional<double> maximumThickness; ///< unset: 16 voxels of the smallest spacing, or what walls need
 
   /** Voxels of the largest pores and grains that are taken for noise, up to LargestPoreSize; unset: 32 with the
    * automatic thickness, otherwise 0, for none. */
@@ -238,6 +240,10 @@ GetParameters(const ExtractOptions & options, const itk::MedialVoxelGrid & grid)
  * \throw JobError Usage when its maximum is too large for \a grid. */
 itk::MedialVoxelLocalThickness
 GetLocalThickness(const ExtractOptions & options, const itk::MedialVoxelGrid & grid);
+
+/** The maximum thickness that is raised where walls need it; none when it is given or known, or for labels. */
+std::optional<double>
+GetDefaultMaximumThickness(const ExtractOptions & options, const itk::MedialVoxelGrid & grid);
 
 /** The limits of the automatic thickness in effect on \a grid. */
 itk::MedialVoxelParameters::Limits

@@ -63,6 +63,7 @@ ParametersToJson(const ExtractOptions & options)
   json["lower_otsu"] = options.lowerIsOtsu;
   json["roughness"] = RoughnessToJson(options.roughness);
   json["measure"] = MeasureToJson(options.measure);
+  json["needed_maximum"] = options.neededMaximum ? Json(*options.neededMaximum) : Json(nullptr);
   return json;
 }
 
@@ -73,6 +74,8 @@ ParametersFromJson(const Json & json, ExtractOptions & options)
   json.at("lower_otsu").get_to(options.lowerIsOtsu);
   options.roughness = RoughnessFromJson(json.at("roughness"));
   options.measure = MeasureFromJson(json.at("measure"));
+  const Json & maximum = json.at("needed_maximum");
+  options.neededMaximum = maximum.is_null() ? std::nullopt : std::optional(maximum.get<double>());
 }
 
 Json

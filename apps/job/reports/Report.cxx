@@ -192,6 +192,18 @@ MakeMeasure(const JobResult & result)
            { "uncertainty", result.uncertainty } };
 }
 
+/** The maximum thickness that was raised, if it was. */
+void
+AddRaisedMaximum(Json & parameters, const ExtractOptions & options, const JobResult & result)
+{
+  const itk::MedialVoxelGrid grid = GetGrid(options, result.input);
+  ExtractOptions             before = options;
+  before.neededMaximum.reset();
+  const double maximum = GetLimitsOfWalls(before, grid).maximum;
+  const bool   isRaised = !options.thickness && GetLimitsOfWalls(options, grid).maximum > maximum;
+  parameters["raised_from"] = isRaised ? Json(maximum) : Json(nullptr);
+}
+
 } // namespace
 
 Json
@@ -209,6 +221,7 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
     parameters["min_thickness"] = limits.minimum;
     parameters["max_thickness"] = limits.maximum;
   }
+  AddRaisedMaximum(parameters, options, result);
   AddObject(parameters, options, result);
   if (options.labels)
   {
@@ -256,10 +269,13 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
 Json
 MakeReport(const PartOptions & options, const JobResult & result)
 {
-  Json parameters = Json::object();
+  const ExtractOptions walls = GetThicknessOptions(options);
+  const auto           grid = GetGrid(options, result.input);
+  Json                 parameters = Json::object();
   AddObject(parameters, options, result);
-  parameters["max_pore_size"] =
-    GetParameters(GetThicknessOptions(options), GetGrid(options, result.input)).maximumPoreSize;
+  parameters["max_pore_size"] = GetParameters(walls, grid).maximumPoreSize;
+  parameters["max_thickness"] = GetLimitsOfWalls(walls, grid).maximum;
+  AddRaisedMaximum(parameters, walls, result);
   parameters["sub_voxel"] = options.subVoxel ? Json(*options.subVoxel) : Json(nullptr);
   parameters["open"] = options.isOpen;
 
@@ -269,7 +285,7 @@ MakeReport(const PartOptions & options, const JobResult & result)
                        { "not_a_number_voxels", counts.notANumberVoxels },
                        { "filled_voxels", counts.filledVoxels },
                        { "removed_voxels", counts.removedVoxels } };
-  report["local_thickness"] = MakeLocalThickness(GetThicknessOptions(options), result);
+  report["local_thickness"] = MakeLocalThickness(walls, result);
   report["measure"] = MakeMeasure(result);
   report["surface"] = result.part;
   AddRun(report, result);

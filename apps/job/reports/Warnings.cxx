@@ -267,11 +267,8 @@ CheckMaximumThickness(const WallFacts & facts)
   }
   const itk::MedialVoxelGrid grid = GetGrid(facts.options, facts.result.input);
   const LengthHistogram &    areas = facts.survey.GetSums().GetAreas();
-  const double               maximum = itk::MedialVoxelParameters::LimitsOfWalls(grid,
-                                                                   facts.options.minimumThickness.value_or(0.0),
-                                                                   facts.options.maximumThickness.value_or(0.0))
-                           .maximum;
-  const double share = GetShareAbove(areas, maximum);
+  const double               maximum = GetLimitsOfWalls(facts.options, grid).maximum;
+  const double               share = GetShareAbove(areas, maximum);
   if (share < much)
   {
     return std::nullopt;

@@ -302,16 +302,52 @@ Job::OpenVolume() const
     return std::make_unique<LabelMap>(result.input, *walls->labels, poreSize, result.plan.memory.toKeep);
   }
   const Smoothing smoothing = walls ? GetSmoothing(*walls) : Smoothing::Off;
-  return std::make_unique<InputVolume>(result.input, options, result.plan.memory.toKeep, smoothing);
+  auto            opened = std::make_unique<InputVolume>(result.input, options, result.plan.memory.toKeep, smoothing);
+  const itk::MedialVoxelGrid grid = GetGrid(options, result.input);
+  const auto * const         surface = std::get_if<PartOptions>(&command);
+  const bool hasSheet = surface == nullptr || surface->localThicknessMethod == LocalThicknessMethod::Wall;
+  if (const auto maximum = walls && hasSheet ? GetDefaultMaximumThickness(*walls, grid) : std::nullopt)
+  {
+    opened->LookForThickWalls(grid, *maximum);
+  }
+  return opened;
 }
 
 void
-Job::Measure(InputVolume & input, const ReadObserver & observer)
+Job::Prepare(ProgressSink & sink)
 {
-  result.roughness = input.GetRoughness();
+  constexpr double share = 0.3;
+  volume = this->OpenVolume();
+  volume->Prepare([this, &sink](double fraction) {
+    shareOfPreparation = share;
+    sink.Report(share * fraction);
+    ThrowIfStopRequested(sink);
+  });
+  if (const std::optional<double> maximum = volume->GetNeededMaximum())
+  {
+    this->RaiseMaximum(*maximum);
+  }
+}
+
+void
+Job::RaiseMaximum(double maximum)
+{
+  options.neededMaximum = maximum;
+  std::visit(
+    [this](const auto & own) {
+      tasks = ListTasks(own, result.input);
+      products = MakeProducts(own, result.input);
+    },
+    command);
+}
+
+void
+Job::Measure(const ReadObserver & observer)
+{
+  result.roughness = volume->GetRoughness();
   if (const auto walls = this->GetWalls())
   {
-    result.wallMeasure = walls->measure ? walls->measure : FindWallMeasure(input, result.input, *walls, observer);
+    result.wallMeasure = walls->measure ? walls->measure : FindWallMeasure(*volume, result.input, *walls, observer);
   }
 }
 

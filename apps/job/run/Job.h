@@ -4,12 +4,14 @@
 #define medialvoxelJob_h
 
 #include "Footprint.h"
+#include "InputVolume.h"
 #include "JobResult.h"
 #include "Options.h"
 #include "Product.h"
 #include "Progress.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -65,13 +67,14 @@ struct Job
   void
   Open(const ProgressSink & sink);
 
-  /** The volume, which is not prepared. */
-  std::unique_ptr<InputVolume>
-  OpenVolume() const;
+  /** Opens the volume and reads what must be known of all of it: the objects, noise, and thick walls, for which the
+   * maximum thickness rises. \throw StoppedBySignal when the sink asks to stop; as InputVolume::Prepare() */
+  void
+  Prepare(ProgressSink & sink);
 
   /** Finds out from the prepared volume how walls are measured. \throw as FindWallMeasure() */
   void
-  Measure(InputVolume & input, const ReadObserver & observer);
+  Measure(const ReadObserver & observer);
 
   /** Ends it: volumes, products, costs, texts, names; then the sink hears of new warnings.
    * \throw StoppedBySignal when the sink asks to stop; no output has its name then. */
@@ -96,6 +99,17 @@ struct Job
   JobResult            result;
   std::vector<JobTask> tasks; ///< in the order in which they run, the extraction first
   ProductList          products;
+
+  std::unique_ptr<InputVolume> volume;                    ///< once it is prepared
+  double                       shareOfPreparation{ 0.0 }; ///< of the progress
+
+private:
+  std::unique_ptr<InputVolume>
+  OpenVolume() const;
+
+  /** Tasks and products for walls up to this thickness, which differs from the default. */
+  void
+  RaiseMaximum(double maximum);
 };
 
 } // end namespace medialvoxel

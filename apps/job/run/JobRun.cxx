@@ -16,10 +16,11 @@ namespace medialvoxel
 JobRun::JobRun(Job & job, OutputSet & outputs, ProgressSink & sink)
   : m_Job(job)
   , m_Walls(job.GetWalls())
-  , m_Input(job.OpenVolume())
+  , m_Input(job.volume.get())
   , m_Loop(job.result.plan, job.result.input, static_cast<unsigned int>(job.tasks.size()), sink)
   , m_Writer(job.result.plan.writesBehind)
 {
+  m_Loop.SetInput(*m_Input, job.shareOfPreparation);
   const JobResult & planned = job.result;
   for (const JobTask & task : job.tasks)
   {
@@ -32,7 +33,7 @@ JobRun::JobRun(Job & job, OutputSet & outputs, ProgressSink & sink)
   {
     m_Engines.front().engine->KeepPreviousResults();
   }
-  ProductStart start{ planned, m_Input.get() };
+  ProductStart start{ planned, m_Input };
   for (const auto & product : job.products)
   {
     product->Start(start);
@@ -111,8 +112,7 @@ JobRun::AddTo(Footprint & footprint, const Job & job)
 void
 JobRun::Prepare()
 {
-  m_Loop.Prepare(*m_Input);
-  m_Job.Measure(*m_Input, [this](double) { m_Loop.ThrowIfStopRequested(); });
+  m_Job.Measure([this](double) { m_Loop.ThrowIfStopRequested(); });
   if (const std::optional<WallMeasure> & measure = m_Job.result.wallMeasure)
   {
     const auto range = GetGrayRange(*measure, m_Job.options, m_Job.result.input);

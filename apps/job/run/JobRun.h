@@ -20,14 +20,14 @@ namespace medialvoxel
 class JobRun
 {
 public:
-  /** Opens the volume and starts the products. \param job must outlive it, as the outputs must */
+  /** Starts the products of a job whose volume is prepared. \param job must outlive it, as the outputs must */
   JobRun(Job & job, OutputSet & outputs, ProgressSink & sink);
 
   /** Adds the memory of reading and of passes over a label map. */
   static void
   AddTo(Footprint & footprint, const Job & job);
 
-  /** Prepares the volume and decides how walls are measured; to be called once before the first range.
+  /** Decides how walls are measured; to be called once before the first range.
    * \throw StoppedBySignal when the sink asks to stop. */
   void
   Prepare();
@@ -89,7 +89,7 @@ private:
 
   Job &                         m_Job;
   std::optional<ExtractOptions> m_Walls;
-  std::unique_ptr<InputVolume>  m_Input;
+  InputVolume *                 m_Input;
   PieceLoop                     m_Loop;
   std::vector<Engine>           m_Engines; ///< in the order of the tasks
   std::unique_ptr<LabelMapRun>  m_Objects; ///< of a label map

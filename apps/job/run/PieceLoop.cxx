@@ -87,18 +87,6 @@ PieceLoop::GetObserver()
   };
 }
 
-void
-PieceLoop::Prepare(InputVolume & input)
-{
-  m_Input = &input;
-  constexpr double share = 0.3;
-  input.Prepare([this](double fraction) {
-    m_ShareOfPreparation = share;
-    m_Sink.Report(share * fraction);
-    this->ThrowIfStopRequested();
-  });
-}
-
 itk::MedialVoxelSums
 PieceLoop::Run(PieceEngine & engine, const SliceRange & piece, const SliceRange & nextPiece, WriteBehind & writer)
 {

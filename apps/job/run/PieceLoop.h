@@ -27,10 +27,13 @@ public:
   PieceObserver
   GetObserver();
 
-  /** Prepares the input, which is a part of the job's progress when it takes long.
-   * \throw StoppedBySignal when the sink asks to stop. */
+  /** What the engines read, and the share of the progress that preparing it was. */
   void
-  Prepare(InputVolume & input);
+  SetInput(const InputVolume & input, double shareOfPreparation)
+  {
+    m_Input = &input;
+    m_ShareOfPreparation = shareOfPreparation;
+  }
 
   /** Runs a piece and has its results written, in smaller ones when the walls need more memory than results of this
    * size leave. The piece that comes next, if any, is read meanwhile.
@@ -92,11 +95,12 @@ private:
   unsigned int   m_EnginesPerPiece;
   unsigned int   m_RunsPerPiece{ 1 };
   ProgressSink & m_Sink;
-  InputVolume *  m_Input{ nullptr };
-  double         m_ShareOfPreparation{ 0.0 };
-  std::uint64_t  m_DoneVoxels{ 0 };
-  std::uint64_t  m_VoxelsOfRange{ 0 };
-  double         m_FractionOfRange{ 0.0 }; // that is done
+
+  const InputVolume * m_Input{ nullptr };
+  double              m_ShareOfPreparation{ 0.0 };
+  std::uint64_t       m_DoneVoxels{ 0 };
+  std::uint64_t       m_VoxelsOfRange{ 0 };
+  double              m_FractionOfRange{ 0.0 }; // that is done
 };
 
 } // end namespace medialvoxel

@@ -67,6 +67,7 @@ RunJob(const TOptions & options, ProgressSink & sink)
     WithPipelineErrors([&] {
       sink.Start("medialvoxel", job.GetTitle());
       const StopListener listener(&sink);
+      job.Prepare(sink);
       RunPlanned(job, sink, start);
     });
     sink.Finish(job.result.seconds.total);

@@ -39,8 +39,22 @@ InputVolume::InputVolume(const VolumeHeader & header, std::uint64_t bytesToKeep)
 std::optional<itk::MedialVoxelRoughness>
 InputVolume::GetRoughness() const
 {
-  const auto * const object = dynamic_cast<const itk::MedialVoxelObjectInput *>(m_Input.get());
+  const auto * const object = this->GetObject();
   return object != nullptr ? object->GetRoughness() : std::nullopt;
+}
+
+void
+InputVolume::LookForThickWalls(const itk::MedialVoxelGrid & grid, double maximum)
+{
+  m_DefaultMaximum = maximum;
+  dynamic_cast<itk::MedialVoxelObjectInput &>(*m_Input).LookForThickWalls(grid, maximum);
+}
+
+std::optional<double>
+InputVolume::GetNeededMaximum() const
+{
+  const auto * const object = this->GetObject();
+  return object != nullptr && object->GetNeededMaximum() ? object->GetNeededMaximum() : m_DefaultMaximum;
 }
 
 bool

@@ -49,6 +49,14 @@ public:
     return m_Source;
   }
 
+  /** Has Prepare() find out which maximum thickness walls need in place of a default one, of the one object. */
+  void
+  LookForThickWalls(const itk::MedialVoxelGrid & grid, double maximum);
+
+  /** That maximum, once Prepare() has found it; the default one, where walls need no other. */
+  std::optional<double>
+  GetNeededMaximum() const;
+
   /** How rough the object is that is not smoothed, when Prepare() measured it. */
   std::optional<itk::MedialVoxelRoughness>
   GetRoughness() const;
@@ -68,6 +76,13 @@ protected:
   /** Many objects; m_Input is still to be made. */
   InputVolume(const VolumeHeader & header, std::uint64_t bytesToKeep);
 
+  const itk::MedialVoxelObjectInput *
+  GetObject() const
+  {
+    return dynamic_cast<const itk::MedialVoxelObjectInput *>(m_Input.get());
+  }
+
+  std::optional<double>                  m_DefaultMaximum;
   VolumeSource                           m_Source;
   std::unique_ptr<itk::MedialVoxelInput> m_Input;
 };
