@@ -60,7 +60,7 @@ CheckManifest(const Manifest & manifest, const InputFile & copy)
   WriteManifest(copy.GetPath(), manifest);
   const std::optional<Manifest> again = ReadManifest(copy.GetPath());
   Require(again && FindDifference(manifest.options, again->options).empty(), "other options after writing them");
-  Require(again->input.size() == manifest.input.size() && again->bytesPerSlice == manifest.bytesPerSlice,
+  Require(again->input.size() == manifest.input.size() && again->perSlice == manifest.perSlice,
           "another manifest after writing it");
 }
 
