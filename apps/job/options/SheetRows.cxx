@@ -95,8 +95,10 @@ AddThickness(std::vector<OptionRow> & rows)
   AddRow(rows, "--max-thickness", "T", Length(&ExtractOptions::maximumThickness))
     .OfJobs(Sheets)
     .Formerly("--maximum-thickness")
-    .Help("auto: thickest wall to be a sheet (default: " + most + ", twice that where walls need it)",
-          "In units of the spacing. Needs the thickness auto. Time and memory grow with it.")
+    .Help(
+      "auto: thickest wall to be a sheet (default: " + most + ")",
+      "In units of the spacing. Needs the thickness auto. The default is doubled where walls need it. Time and memory "
+      "grow with it.")
     .Needs("the thickness auto", IsAutomatic)
     .Python(Extract | Mesh);
 }
