@@ -108,6 +108,8 @@ TEST(MedialVoxelThickWalls, CountFromAQuarterOn)
   };
   EXPECT_FALSE(withThick(0));
   EXPECT_FALSE(withThick(8));
+  // A third of the object, and less than a quarter of the walls.
+  EXPECT_FALSE(withThick(36));
   EXPECT_TRUE(withThick(48));
   EXPECT_TRUE(withThick(96));
 }
