@@ -325,12 +325,12 @@ Job::Prepare(ProgressSink & sink)
   });
   if (const std::optional<double> maximum = volume->GetNeededMaximum())
   {
-    this->RaiseMaximum(*maximum);
+    this->UseMaximum(*maximum);
   }
 }
 
 void
-Job::RaiseMaximum(double maximum)
+Job::UseMaximum(double maximum)
 {
   options.neededMaximum = maximum;
   std::visit(

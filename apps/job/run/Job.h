@@ -107,9 +107,9 @@ private:
   std::unique_ptr<InputVolume>
   OpenVolume() const;
 
-  /** Tasks and products for walls up to this thickness, which differs from the default. */
+  /** Keeps the maximum thickness that walls need, and makes tasks and products with it. */
   void
-  RaiseMaximum(double maximum);
+  UseMaximum(double maximum);
 };
 
 } // end namespace medialvoxel
