@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -19,6 +20,7 @@ namespace itk
 {
 
 class MedialVoxelTileObserver;
+class MedialVoxelWallBalls;
 
 /** \struct MedialVoxelSheetExtraction
  * \brief The task to label the medial cells and to measure them.
@@ -94,6 +96,10 @@ struct MedialVoxel_EXPORT MedialVoxelLocalThickness
   /** The extraction whose walls are painted, with its own maximumPoreSize; its other results are ignored. Unset:
    * diameters of balls are painted. */
   std::optional<MedialVoxelSheetExtraction> walls;
+
+  /** Balls that another extraction of the same walls finds before; those that it does not find are added. Unset: all
+   * are found. */
+  std::shared_ptr<MedialVoxelWallBalls> balls;
 
   /** Largest ratio of the maximum thickness to the smallest spacing, and its default, to the largest. */
   static constexpr double MostVoxels = 256.0;

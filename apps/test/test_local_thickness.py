@@ -211,7 +211,7 @@ class LocalThicknessTest(ProgramTestCase):
         expected = [(self.folder / name).read_bytes() for name in files]
         balls = self.report["local_thickness"]
         self.assertGreater(balls["voxels_at_maximum"], 0)
-        for more in (("--threads", 2), ("--divisions", 7), ("--divisions", 44, "--threads", 3), ("--memory", "96M")):
+        for more in (("--threads", 2), ("--divisions", 7), ("--divisions", 44, "--threads", 3), ("--memory", "90M")):
             self.measure(*more, *options, method=None)
             self.assertEqual([(self.folder / name).read_bytes() for name in files], expected, more)
             self.assertEqual(self.report["local_thickness"], balls)

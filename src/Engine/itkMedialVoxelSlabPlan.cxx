@@ -329,6 +329,10 @@ MedialVoxelSlabPlan::BytesOfWorkers(const MedialVoxelBox & sites, const Cut & cu
     tile[axis] = std::min(edge + m_Settings.upperMargin[axis] + 2 * m_Settings.tileMargin[axis], sites.Extent(axis));
     tileVoxels *= static_cast<std::uint64_t>(tile[axis]);
   }
+  if (m_Settings.boundaries.empty())
+  {
+    return m_Settings.numberOfWorkers * (m_Settings.bytesPerWorker + tileVoxels * m_Settings.bytesPerVoxel);
+  }
   // Beside the end of the image a tile can search as far as the window reaches on its other side.
   const std::int64_t reach = sites.Extent(m_SlowestAxis) - tile[m_SlowestAxis];
   const double       length = static_cast<double>(reach + 1) * m_Grid.GetMetricSpacing()[m_SlowestAxis];

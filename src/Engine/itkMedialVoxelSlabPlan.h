@@ -35,7 +35,7 @@ public:
    */
   struct Settings
   {
-    std::vector<MedialVoxelBoundary> boundaries;
+    std::vector<MedialVoxelBoundary> boundaries; ///< that tiles search; none: they search nothing
     bool                             keepsNotANumber{ false };
     bool                             keepsGray{ false }; ///< the values of the voxels in the window
 

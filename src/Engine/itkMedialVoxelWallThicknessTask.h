@@ -3,36 +3,29 @@
 #ifndef itkMedialVoxelWallThicknessTask_h
 #define itkMedialVoxelWallThicknessTask_h
 
-#include "itkMedialVoxelCellPairs.h"
 #include "itkMedialVoxelEngineSettings.h"
-#include "itkMedialVoxelExtractionTask.h"
-#include "itkMedialVoxelLocalThreshold.h"
 #include "itkMedialVoxelTileTask.h"
+#include "itkMedialVoxelWallBalls.h"
 #include "itkMedialVoxelWallPainter.h"
 
 namespace itk
 {
 
 /** \class MedialVoxelWallThicknessTask
- * \brief Finds, for each object voxel of a tile, the thickness of the wall whose ball is the largest that covers it.
- *
- * The ball of a measured medial cell q lies around its center. Its radius is d(q) of MedialVoxelLocalThreshold, at most
- * half of the maximum thickness, and its thickness that of the wall, at most the maximum. Of equal balls the thickest
- * wall counts. The cells around a tile are extracted with it, so that a result depends on the image alone.
+ * \brief Finds, for each object voxel of a tile, the thickness of the wall whose ball is the largest that covers it. Of
+ * equal balls the thickest wall counts.
  * \ingroup MedialVoxel
  */
 class MedialVoxelWallThicknessTask : public MedialVoxelTileTask
 {
 public:
-  /** \param settings  with walls */
-  MedialVoxelWallThicknessTask(const MedialVoxelGrid & grid, const MedialVoxelLocalThickness & settings);
+  /** Edge of the tiles that are best: balls around each are painted again. */
+  static constexpr std::int64_t TileEdge = 64;
 
-  /** Edge of the tiles that are best: the cells around each are extracted again. */
-  static constexpr std::int64_t TileEdge = 128;
-
-  /** The extraction that the task runs. */
-  static MedialVoxelSheetExtraction
-  GetExtraction(const MedialVoxelLocalThickness & settings);
+  /** \param balls  all that reach the regions of runs, when they begin */
+  MedialVoxelWallThicknessTask(const MedialVoxelGrid &           grid,
+                               const MedialVoxelLocalThickness & settings,
+                               const MedialVoxelWallBalls &      balls);
 
   std::unique_ptr<Workspace>
   MakeWorkspace() const override;
@@ -48,22 +41,9 @@ public:
 private:
   struct TileWorkspace;
 
-  MedialVoxelBox
-  FindWalls(const MedialVoxelBox &          tile,
-            const MedialVoxelMovingWindow & window,
-            const MedialVoxelProgress &     progress,
-            TileWorkspace &                 workspace,
-            MedialVoxelSums &               sums) const;
-
-  void
-  ListBalls(const MedialVoxelTileResult & cells, std::vector<MedialVoxelWallPainter::Ball> & balls) const;
-
-  double                    m_MaximumRadius; // in units of the metric
-  float                     m_Maximum;       // thickness
-  MedialVoxelWallPainter    m_Painter;
-  MedialVoxelExtractionTask m_Extraction;
-  MedialVoxelCellPairs      m_Pairs;
-  MedialVoxelLocalThreshold m_Threshold;
+  float                        m_Maximum; // thickness
+  MedialVoxelWallPainter       m_Painter;
+  const MedialVoxelWallBalls & m_Balls;
 };
 
 } // end namespace itk

@@ -66,6 +66,7 @@ MedialVoxelSurfaceCells::MedialVoxelSurfaceCells(const MedialVoxelGrid &        
   , m_Crossings(grid, parameters)
   , m_PhysicalGrid(grid.GetSize(), spacing)
   , m_Thickness(m_PhysicalGrid)
+  , m_SharesWalls(grid.GetSpacing() == spacing)
   , m_DecidesTogether(MedialVoxelClassifier::DecidesTogether(grid, parameters))
   , m_IsSolid(grid.IsActive(0) && grid.IsActive(1) && grid.IsActive(2))
 {}
@@ -94,10 +95,13 @@ MedialVoxelSurfaceCells::Find(const MedialVoxelClassifiedTile &     tile,
   workspace.thickness.Clear();
   // Every cell of a quadrilateral has an object voxel among its corners.
   MedialVoxelAbortChecker checker;
+  auto                    firstWall = tile.walls.begin(); // of the row
   for (const MedialVoxelCellRow & row : tile.rows)
   {
     constexpr std::uint32_t stepsPerRow = 256;
     checker.Count(stepsPerRow);
+    const auto walls = firstWall;
+    firstWall += MedialVoxelPopulationCount(row.measured);
     for (WordType rest = row.candidates; rest != 0; rest &= rest - 1)
     {
       const int              x = MedialVoxelLowestBit(rest);
@@ -107,7 +111,9 @@ MedialVoxelSurfaceCells::Find(const MedialVoxelClassifiedTile &     tile,
       {
         continue;
       }
-      const bool             isMedial = (((row.byBound | row.byGeodesic) >> x) & 1) != 0;
+      const WordType         bit = WordType{ 1 } << x;
+      const bool             isMedial = ((row.byBound | row.byGeodesic) & bit) != 0;
+      const bool             hasWall = m_SharesWalls && (row.measured & bit) != 0;
       const auto             quads = static_cast<EdgeMask>(crossed & this->GetPossibleQuads(index));
       MedialVoxelSurfaceCell cell;
       for (unsigned int axis = 0; axis < 3; ++axis)
@@ -119,7 +125,12 @@ MedialVoxelSurfaceCells::Find(const MedialVoxelClassifiedTile &     tile,
       {
         cell.quads = MedialVoxelSurfaceTopology::FirstPart(static_cast<EdgeMask>(open), splits);
         const bool isAlone = cell.quads == quads;
-        this->AddVertex(tile, cell, isAlone ? crossed : cell.quads, isMedial && isAlone, workspace, cells, missing);
+        Basis      basis{ isAlone ? crossed : cell.quads, isMedial && isAlone };
+        if (hasWall && isAlone)
+        {
+          basis.wall = &walls[MedialVoxelPopulationCount(row.measured & (bit - 1))];
+        }
+        this->AddVertex(tile, cell, basis, workspace, cells, missing);
       }
     }
   }
@@ -145,18 +156,17 @@ MedialVoxelSurfaceCells::FindSplits(const MedialVoxelClassifiedTile & tile,
   return splits;
 }
 
-/** Adds a vertex with the edges of \a cell, placed by the edges \a crossed. */
+/** Adds a vertex with the edges of \a cell. */
 void
 MedialVoxelSurfaceCells::AddVertex(const MedialVoxelClassifiedTile &     tile,
                                    const MedialVoxelSurfaceCell &        cell,
-                                   const EdgeMask                        crossed,
-                                   const bool                            isMedial,
+                                   const Basis &                         basis,
                                    Workspace &                           workspace,
                                    std::vector<MedialVoxelSurfaceCell> & cells,
                                    MedialVoxelBox &                      missing) const
 {
   const MedialVoxelIndex      index{ { cell.index[0], cell.index[1], cell.index[2] } };
-  const MedialVoxelWallPoints points = this->GetWallPoints(tile, index, crossed, isMedial);
+  const MedialVoxelWallPoints points = this->GetWallPoints(tile, index, basis);
   const MedialVoxelBox        values = m_Gray ? m_Gray->GetReadBox(points) : MedialVoxelBox{};
   if (!tile.gray.GetBox().Contains(values))
   {
@@ -164,7 +174,7 @@ MedialVoxelSurfaceCells::AddVertex(const MedialVoxelClassifiedTile &     tile,
     return;
   }
   cells.push_back(cell);
-  this->Place(tile, crossed, points, workspace, cells.back());
+  this->Place(tile, basis, points, workspace, cells.back());
 }
 
 /** The edges of a cell that have four cells around them, not in a face of the image. */
@@ -190,13 +200,12 @@ MedialVoxelSurfaceCells::GetPossibleQuads(const MedialVoxelIndex & cell) const
 MedialVoxelWallPoints
 MedialVoxelSurfaceCells::GetWallPoints(const MedialVoxelClassifiedTile & tile,
                                        const MedialVoxelIndex &          index,
-                                       const EdgeMask                    crossed,
-                                       const bool                        isMedial) const
+                                       const Basis &                     basis) const
 {
   MedialVoxelWallPoints points;
-  const bool            isKnown = isMedial && m_DecidesTogether &&
+  const bool            isKnown = basis.isMedial && m_DecidesTogether &&
                        MedialVoxelJointClassifier::GetPair(tile.classification.joint, index, points.a, points.b);
-  if (isMedial && !isKnown && tile.classifier.GetWallPoints(tile.features, index, points))
+  if (basis.isMedial && !isKnown && tile.classifier.GetWallPoints(tile.features, index, points))
   {
     return points;
   }
@@ -216,7 +225,7 @@ MedialVoxelSurfaceCells::GetWallPoints(const MedialVoxelClassifiedTile & tile,
   }
   if (!isKnown)
   {
-    this->TakeNearestPair(crossed, points);
+    this->TakeNearestPair(basis.crossed, points);
   }
   return points;
 }
@@ -242,7 +251,7 @@ MedialVoxelSurfaceCells::TakeNearestPair(const EdgeMask crossed, MedialVoxelWall
 /** Set place, plane and thickness. */
 void
 MedialVoxelSurfaceCells::Place(const MedialVoxelClassifiedTile & tile,
-                               const EdgeMask                    crossed,
+                               const Basis &                     basis,
                                const MedialVoxelWallPoints &     points,
                                Workspace &                       workspace,
                                MedialVoxelSurfaceCell &          cell) const
@@ -251,11 +260,18 @@ MedialVoxelSurfaceCells::Place(const MedialVoxelClassifiedTile & tile,
   MedialVoxelSurfaceFit  fit;
   if (m_Gray)
   {
-    MedialVoxelWall wall = m_Thickness.Measure(*tile.window.object, points, workspace.thickness);
-    const auto      crossings = m_Gray->FindCrossings(tile.gray, points);
-    m_Gray->Refine(tile.gray, points, crossings, tile.fits, wall);
-    this->FitToGrayValues(tile.gray, index, crossed, points, crossings, fit);
-    cell.thickness = wall.thickness;
+    const auto crossings = m_Gray->FindCrossings(tile.gray, points);
+    this->FitToGrayValues(tile.gray, index, basis.crossed, points, crossings, fit);
+    if (basis.wall != nullptr)
+    {
+      cell.thickness = basis.wall->thickness;
+    }
+    else
+    {
+      MedialVoxelWall wall = m_Thickness.Measure(*tile.window.object, points, workspace.thickness);
+      m_Gray->Refine(tile.gray, points, crossings, tile.fits, wall);
+      cell.thickness = wall.thickness;
+    }
   }
   else
   {
@@ -264,7 +280,7 @@ MedialVoxelSurfaceCells::Place(const MedialVoxelClassifiedTile & tile,
     std::transform(points.corners.begin(), points.corners.end(), corners.begin(), [&](const MedialVoxelIndex & corner) {
       return this->FromCenter(index, corner);
     });
-    ForEachEdge(crossed, [&](const EdgeEnds & ends) { fit.AddPair(corners[ends.lower], corners[ends.upper]); });
+    ForEachEdge(basis.crossed, [&](const EdgeEnds & ends) { fit.AddPair(corners[ends.lower], corners[ends.upper]); });
   }
 
   const auto & spacing = m_PhysicalGrid.GetSpacing();

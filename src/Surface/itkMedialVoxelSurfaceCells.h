@@ -61,7 +61,7 @@ MedialVoxelIsBefore(const MedialVoxelSurfaceCell & a, const MedialVoxelSurfaceCe
  * other, the thickness is measured between the two nearest points of a pair.
  *
  * On gray values MedialVoxelGrayBoundary moves the points of the pairs, the plane that is as far from both walls
- * counts, and MedialVoxelGrayThickness measures the thickness.
+ * counts, and MedialVoxelGrayThickness measures the thickness, where the tile has not measured it yet.
  *
  * Volumes in which an axis has a single voxel have no surface.
  * \ingroup MedialVoxel
@@ -101,6 +101,14 @@ public:
        std::vector<MedialVoxelSurfaceCell> & cells) const;
 
 private:
+  /** What a vertex follows from. */
+  struct Basis
+  {
+    MedialVoxelSurfaceTopology::EdgeMask crossed;         // its edges, at least
+    bool                                 isMedial;        // the cell, which has no other vertex
+    const MedialVoxelWall *              wall{ nullptr }; // there on gray values, when the run has measured it
+  };
+
   MedialVoxelSurfaceTopology::EdgeMask
   GetPossibleQuads(const MedialVoxelIndex & cell) const;
 
@@ -114,27 +122,23 @@ private:
   void
   AddVertex(const MedialVoxelClassifiedTile &     tile,
             const MedialVoxelSurfaceCell &        cell,
-            MedialVoxelSurfaceTopology::EdgeMask  crossed,
-            bool                                  isMedial,
+            const Basis &                         basis,
             Workspace &                           workspace,
             std::vector<MedialVoxelSurfaceCell> & cells,
             MedialVoxelBox &                      missing) const;
 
   MedialVoxelWallPoints
-  GetWallPoints(const MedialVoxelClassifiedTile &    tile,
-                const MedialVoxelIndex &             index,
-                MedialVoxelSurfaceTopology::EdgeMask crossed,
-                bool                                 isMedial) const;
+  GetWallPoints(const MedialVoxelClassifiedTile & tile, const MedialVoxelIndex & index, const Basis & basis) const;
 
   void
   TakeNearestPair(MedialVoxelSurfaceTopology::EdgeMask crossed, MedialVoxelWallPoints & points) const;
 
   void
-  Place(const MedialVoxelClassifiedTile &    tile,
-        MedialVoxelSurfaceTopology::EdgeMask crossed,
-        const MedialVoxelWallPoints &        points,
-        Workspace &                          workspace,
-        MedialVoxelSurfaceCell &             cell) const;
+  Place(const MedialVoxelClassifiedTile & tile,
+        const Basis &                     basis,
+        const MedialVoxelWallPoints &     points,
+        Workspace &                       workspace,
+        MedialVoxelSurfaceCell &          cell) const;
 
   void
   FitToGrayValues(const MedialVoxelGray &                     gray,
@@ -152,7 +156,8 @@ private:
   MedialVoxelSurfaceCrossings             m_Crossings;
   MedialVoxelGrid                         m_PhysicalGrid;
   MedialVoxelThickness                    m_Thickness;
-  std::optional<MedialVoxelGrayThickness> m_Gray; // empty: measured on the object
+  std::optional<MedialVoxelGrayThickness> m_Gray;        // empty: measured on the object
+  bool                                    m_SharesWalls; // with the tiles, which measure in the units of the grid
   bool                                    m_DecidesTogether;
   bool                                    m_IsSolid;
 };

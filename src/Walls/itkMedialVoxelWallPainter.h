@@ -6,6 +6,7 @@
 #include "itkMedialVoxelGrid.h"
 #include "itkMedialVoxelOpenVoxels.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -25,9 +26,9 @@ class MedialVoxelWallPainter
 public:
   struct Ball
   {
-    MedialVoxelIndex cell;   ///< as the index of its lowest corner
-    double           radius; ///< in units of the metric, at most the maximum
-    float            thickness;
+    std::array<std::int32_t, 3> cell; ///< as the index of its lowest corner
+    float                       thickness;
+    double                      radius; ///< in units of the metric, at most the maximum
   };
 
   /** \class Workspace

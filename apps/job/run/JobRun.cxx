@@ -7,11 +7,50 @@
 #include "ScanMeasure.h"
 #include "Text.h"
 
+#include "itkMedialVoxelWallBalls.h"
+
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 namespace medialvoxel
 {
+namespace
+{
+
+/** The local thickness of walls that a task finds, or null. */
+template <typename TTask>
+auto *
+FindWallThickness(TTask & task)
+{
+  auto * const thickness = std::get_if<itk::MedialVoxelLocalThickness>(&task.task);
+  return thickness != nullptr && thickness->walls ? thickness : nullptr;
+}
+
+bool
+FindsWallsBefore(const Job & job)
+{
+  return job.tasks.front().filler == VolumeFiller::Extraction;
+}
+
+/** The balls that the extraction finds for the local thickness, if it follows one. */
+std::shared_ptr<itk::MedialVoxelWallBalls>
+MakeBalls(Job & job)
+{
+  std::shared_ptr<itk::MedialVoxelWallBalls> balls;
+  for (JobTask & task : job.tasks)
+  {
+    auto * const thickness = FindWallThickness(task);
+    if (thickness != nullptr && FindsWallsBefore(job))
+    {
+      thickness->balls = balls =
+        std::make_shared<itk::MedialVoxelWallBalls>(GetGrid(job.options, job.result.input), *thickness);
+    }
+  }
+  return balls;
+}
+
+} // namespace
 
 JobRun::JobRun(Job & job, OutputSet & outputs, ProgressSink & sink)
   : m_Job(job)
@@ -22,6 +61,7 @@ JobRun::JobRun(Job & job, OutputSet & outputs, ProgressSink & sink)
 {
   m_Loop.SetInput(*m_Input, job.shareOfPreparation);
   const JobResult & planned = job.result;
+  const auto        balls = MakeBalls(job);
   for (const JobTask & task : job.tasks)
   {
     m_Engines.push_back(
@@ -32,6 +72,13 @@ JobRun::JobRun(Job & job, OutputSet & outputs, ProgressSink & sink)
   if (planned.plan.writesBehind)
   {
     m_Engines.front().engine->KeepPreviousResults();
+  }
+  if (balls)
+  {
+    m_SlicesOfBalls = balls->GetMargin();
+    m_Engines.front().engine->AddObserver(*balls);
+    m_Engines.front().engine->AddRegionListener(
+      [balls](const itk::MedialVoxelBox & region) { balls->BeginRegion(region); });
   }
   ProductStart start{ planned, m_Input };
   for (const auto & product : job.products)
@@ -91,6 +138,13 @@ JobRun::AddTo(Footprint & footprint, const Job & job)
   {
     return;
   }
+  for (const JobTask & task : job.tasks)
+  {
+    if (const auto * const thickness = FindWallThickness(task))
+    {
+      AddWalls(footprint, header, *thickness, FindsWallsBefore(job));
+    }
+  }
   if (GetSmoothing(*walls) != Smoothing::Off)
   {
     std::uint64_t & sum = InputVolume::IsReadInParallel(header) ? footprint.perThread : footprint.beside;
@@ -107,6 +161,26 @@ JobRun::AddTo(Footprint & footprint, const Job & job)
   const bool readsChunks = header.GetStored().chunks && !header.stored;
   footprint.needsSlices =
     !readsChunks || walls->labels || job.tasks.size() > 1 || job.tasks.front().filler != VolumeFiller::Extraction;
+}
+
+/** Balls of the slices of a piece, and of those around it. */
+void
+JobRun::AddWalls(Footprint &                            footprint,
+                 const VolumeHeader &                   header,
+                 const itk::MedialVoxelLocalThickness & thickness,
+                 const bool                             followsExtraction)
+{
+  using Balls = itk::MedialVoxelWallBalls;
+  for (EngineFootprint & engine : footprint.engines)
+  {
+    engine.perVoxel += Balls::BytesPerVoxel;
+  }
+  ProductFootprint    balls;
+  const Balls         some(footprint.grid, thickness);
+  const std::uint64_t slices = std::min(2 * some.GetMargin(), header.geometry.size.back());
+  balls.beside = slices * header.geometry.GetVoxelsPerSlice() * Balls::BytesPerVoxel;
+  balls.perVoxelOfTile = followsExtraction ? some.GetBytesPerVoxel() : 0;
+  footprint.Add(balls);
 }
 
 void
@@ -170,12 +244,40 @@ JobRun::Run(const SliceRange & range, const SliceRange & nextRange)
   }
   for (std::size_t i = 1; i < m_Engines.size(); ++i)
   {
-    itk::MedialVoxelSums others = m_Loop.Run(*m_Engines[i].engine, range, nextRange, m_Writer);
+    SliceRange own = range;
+    SliceRange next = nextRange;
+    if (m_Engines[i].filler == VolumeFiller::LocalThickness)
+    {
+      this->WaitForWalls(own, next);
+    }
+    if (own.begin == own.end)
+    {
+      continue;
+    }
+    itk::MedialVoxelSums others = m_Loop.Run(*m_Engines[i].engine, own, next, m_Writer);
     others.counts = {};                                                         // of the same voxels
     others.distanceSeconds += std::exchange(others.classificationSeconds, 0.0); // no cells are decided
     sums += others;
   }
   return sums;
+}
+
+void
+JobRun::WaitForWalls(SliceRange & range, SliceRange & nextRange)
+{
+  const SliceRange whole = range;
+  if (whole.begin == m_Extracted.end)
+  {
+    range.begin = m_Painted.end;
+  }
+  if (nextRange.begin == whole.end && nextRange.end > whole.end)
+  {
+    const std::uint64_t unit = m_Job.result.plan.sliceUnit;
+    range.end = std::max(range.begin, (whole.end - std::min(whole.end, m_SlicesOfBalls)) / unit * unit);
+    nextRange.begin = range.end;
+  }
+  m_Extracted = whole;
+  m_Painted = range;
 }
 
 void

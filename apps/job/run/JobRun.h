@@ -80,8 +80,18 @@ private:
     std::unique_ptr<PieceEngine> engine;
   };
 
+  static void
+  AddWalls(Footprint &                            footprint,
+           const VolumeHeader &                   header,
+           const itk::MedialVoxelLocalThickness & thickness,
+           bool                                   followsExtraction);
+
   void
   AddProduct(Product & product);
+
+  /** Moves the end of a range to where all balls are known that reach it, unless no range follows. */
+  void
+  WaitForWalls(SliceRange & range, SliceRange & nextRange);
 
   /** The number of objects of a label map is known once it is prepared. */
   void
@@ -93,7 +103,10 @@ private:
   PieceLoop                     m_Loop;
   std::vector<Engine>           m_Engines; ///< in the order of the tasks
   std::unique_ptr<LabelMapRun>  m_Objects; ///< of a label map
-  WriteBehind                   m_Writer;  // ends before its files
+  std::uint64_t                 m_SlicesOfBalls{ 0 };
+  SliceRange                    m_Extracted{}; ///< the last range of the extraction
+  SliceRange                    m_Painted{};   ///< and of the local thickness that follows it
+  WriteBehind                   m_Writer;      // ends before its files
 };
 
 /** Each cell must have been decided once. \throw JobError Failure */
