@@ -3,6 +3,7 @@
 
 #include "itkMedialVoxelBits.h"
 
+#include "itkMedialVoxelDilation.h"
 #include "itkMedialVoxelObjectPredicate.h"
 
 #include "MedialVoxelTestKernels.h"
@@ -197,6 +198,28 @@ TEST(MedialVoxelBits, PixelsArePackedWhereTheyBelong)
       {
         const bool expected = x >= first && x < first + count && row.object[x];
         ASSERT_EQ((words[x / 64] >> (x % 64) & 1) != 0, expected) << first << ' ' << count << ' ' << x;
+      }
+    }
+  }
+}
+
+TEST(MedialVoxelBits, DilationFindsAllThatAreNear)
+{
+  const Volume volume = RandomVolume(Size, UnitSpacing, 0.02, 17);
+  for (const auto & box : { MakeBox({ { 0, 0, 0 } }, Size), MakeBox({ { 61, 1, 0 } }, { { 193, 4, 2 } }) })
+  {
+    const MedialVoxelBits bits = ObjectBits(volume, box);
+    for (const std::int64_t reach : { 1, 2, 5, 63 })
+    {
+      const MedialVoxelBits near = itk::MedialVoxelDilate(bits, reach);
+      for (std::size_t i = 0; i < volume.object.size(); ++i)
+      {
+        const auto                index = KernelIndex(volume.IndexAt(i));
+        const itk::MedialVoxelBox own{ index, { { index[0] + 1, index[1] + 1, index[2] + 1 } } };
+        if (box.Contains(index))
+        {
+          ASSERT_EQ(near.Test(index), bits.Any(own.Expanded({ { reach, reach, reach } }))) << i << ", " << reach;
+        }
       }
     }
   }

@@ -252,7 +252,7 @@ TEST(MedialVoxelGrayNormals, DoNotDependOnTheUnitOfTheValues)
   for (const float scale : { 1e-22F, 1e-3F, 1e18F })
   {
     const auto                  scaled = MakeGray(grid.GetVoxelBox(), scale);
-    itk::MedialVoxelGrayNormals others(grid, 0.0, 1.0);
+    itk::MedialVoxelGrayNormals others(grid, 0.0, static_cast<double>(scale));
     for (const Vector3 & place : MakePlaces(grid, 30))
     {
       Vector3 expected;

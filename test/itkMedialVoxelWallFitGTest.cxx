@@ -106,14 +106,14 @@ struct Errors
 Errors
 MeasureErrors(const Volume & volume, const double thickness, const itk::MedialVoxelScan & scan)
 {
-  const itk::MedialVoxelGrayLocal                local(volume.grid, scan.background, scan.material);
-  itk::MedialVoxelGrayNormals                    normals(volume.grid, scan.background, scan.material);
-  const itk::MedialVoxelWallFit                  fit(scan, volume.grid.GetNumberOfActiveAxes());
+  const itk::MedialVoxelGrayLocal    local(volume.grid, scan.background, scan.material);
+  itk::MedialVoxelGrayNormals        normals(volume.grid, scan.background, scan.material);
+  const itk::MedialVoxelWallFit      fit(scan, volume.grid.GetNumberOfActiveAxes());
   itk::MedialVoxelGrayLocal::Samples samples;
-  Errors                                         errors;
-  std::size_t                                    missing = 0;
-  double                                         extent = 0.0;
-  Index3                                         margin{};
+  Errors                             errors;
+  std::size_t                        missing = 0;
+  double                             extent = 0.0;
+  Index3                             margin{};
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     extent += 0.5 * std::abs(volume.normal[axis]);
@@ -461,11 +461,11 @@ TEST(MedialVoxelRandomSample, IsTheSameInAnyOrderAndDivision)
 TEST(MedialVoxelWallFit, ValuesThatSayNothingAreNoMeasure)
 {
   // Random walls in noise as high as they are: some fits end where the values no longer decide on the surfaces.
-  std::mt19937_64                                random(9);
-  std::normal_distribution<>                     normalDistribution;
-  std::uniform_real_distribution<>               uniform(0.0, 1.0);
+  std::mt19937_64                    random(9);
+  std::normal_distribution<>         normalDistribution;
+  std::uniform_real_distribution<>   uniform(0.0, 1.0);
   itk::MedialVoxelGrayLocal::Samples samples;
-  std::size_t                                    found = 0;
+  std::size_t                        found = 0;
   for (int repetition = 0; repetition < 20000; ++repetition)
   {
     const double                  blur = 0.3 + uniform(random);

@@ -49,13 +49,22 @@ Evaluate(const Lanes & x, NormalDistribution & values)
 }
 
 MEDIALVOXEL_FOR_PROCESSORS void
-SumOfWall(const Arrays &            arrays,
-          const float               center,
-          const float               half,
-          const float               inverseBlur,
-          std::array<Lanes, 10> &   sums)
+SumOfWall(const Arrays &          arrays,
+          const float             center,
+          const float             half,
+          const float             inverseBlur,
+          std::array<Lanes, 10> & sums)
 {
-  Lanes tt{}, tc{}, cc{}, rt{}, rc{}, bendTC{}, bendCC{}, squaredTT{}, squaredTC{}, squaredCC{};
+  Lanes tt{};
+  Lanes tc{};
+  Lanes cc{};
+  Lanes rt{};
+  Lanes rc{};
+  Lanes bendTC{};
+  Lanes bendCC{};
+  Lanes squaredTT{};
+  Lanes squaredTC{};
+  Lanes squaredCC{};
   for (std::size_t i = 0; i < arrays.number; i += MedialVoxelNumberOfLanes)
   {
     const Lanes        s = MedialVoxelLoad(arrays.along + i) - center;
@@ -94,7 +103,10 @@ SumOfWall(const Arrays &            arrays,
 MEDIALVOXEL_FOR_PROCESSORS void
 SumOfSurface(const Arrays & arrays, const float place, const float inverseBlur, std::array<Lanes, 4> & sums)
 {
-  Lanes pp{}, rp{}, bend{}, squared{};
+  Lanes pp{};
+  Lanes rp{};
+  Lanes bend{};
+  Lanes squared{};
   for (std::size_t i = 0; i < arrays.number; i += MedialVoxelNumberOfLanes)
   {
     const Lanes        x = (MedialVoxelLoad(arrays.along + i) - place) * inverseBlur;
@@ -120,7 +132,9 @@ SumOfMisfit(const Arrays &         arrays,
             const float            core,
             std::array<Lanes, 3> & sums)
 {
-  Lanes rests{}, weights{}, squares{};
+  Lanes rests{};
+  Lanes weights{};
+  Lanes squares{};
   for (std::size_t i = 0; i < arrays.number; i += MedialVoxelNumberOfLanes)
   {
     const Lanes        s = MedialVoxelLoad(arrays.along + i) - center;
@@ -143,8 +157,7 @@ MedialVoxelFitSums::MedialVoxelFitSums(const MedialVoxelGrayLocal::Samples & sam
                                        const double                          place,
                                        const double                          reach)
 {
-  const std::size_t room =
-    (samples.GetNumber() / MedialVoxelNumberOfLanes + 1) * MedialVoxelNumberOfLanes;
+  const std::size_t room = (samples.GetNumber() / MedialVoxelNumberOfLanes + 1) * MedialVoxelNumberOfLanes;
   m_Samples.resize(3 * room);
   const auto  middle = static_cast<float>(place);
   const auto  limit = static_cast<float>(reach);

@@ -96,7 +96,7 @@ private:
   GetArrays() const;
 
   std::vector<float> m_Samples; // places, weights and values, one after the other
-  std::size_t        m_Number; 
+  std::size_t        m_Number;
 };
 
 } // end namespace itk

@@ -65,7 +65,8 @@ struct MedialVoxelGrayBoundary::Field
       above[axis] = share[axis] > 0.0 ? this->GetOffset(axis, index + 1) : below[axis];
     }
     const auto alongX = [&](const std::int64_t row) {
-      return Between(static_cast<double>(values[row + below[0]]), static_cast<double>(values[row + above[0]]), share[0]);
+      return Between(
+        static_cast<double>(values[row + below[0]]), static_cast<double>(values[row + above[0]]), share[0]);
     };
     const auto alongY = [&](const std::int64_t slice) {
       return Between(alongX(slice + below[1]), alongX(slice + above[1]), share[1]);
@@ -103,8 +104,8 @@ struct MedialVoxelGrayBoundary::Field
         const float * const row = values + (offsets[2][z] + offsets[1][y]);
         for (unsigned int x = 0; x < 3; ++x)
         {
-          alongX[z][y][x] = Between(
-            static_cast<double>(row[offsets[0][x]]), static_cast<double>(row[offsets[0][x + 1]]), share[0]);
+          alongX[z][y][x] =
+            Between(static_cast<double>(row[offsets[0][x]]), static_cast<double>(row[offsets[0][x + 1]]), share[0]);
         }
       }
       for (unsigned int y = 0; y < 3; ++y)

@@ -58,11 +58,11 @@ MedialVoxelGrayLocal::FindSamples(const MedialVoxelGray & gray,
   const auto extentOf = [&](const unsigned int axis) {
     return m_Grid.IsActive(axis) ? Radius * std::sqrt(steep * steep + direction[axis] * direction[axis]) / steep : 0.0;
   };
-  const double extentU = extentOf(u);
-  const double extentV = extentOf(v);
-  const double inverse = 1.0 / (Radius * Radius);
-  const auto   begin = MedialVoxelCeil(place[steepest] - slices);
-  const auto   end = MedialVoxelFloor(place[steepest] + slices);
+  const double                      extentU = extentOf(u);
+  const double                      extentV = extentOf(v);
+  const double                      inverse = 1.0 / (Radius * Radius);
+  const auto                        begin = MedialVoxelCeil(place[steepest] - slices);
+  const auto                        end = MedialVoxelFloor(place[steepest] + slices);
   const MedialVoxelBox &            box = gray.GetBox();
   const float * const               values = gray.GetRow(box.lower[1], box.lower[2]);
   const std::array<std::int64_t, 3> pitches{ { 1, box.Extent(0), box.Extent(0) * box.Extent(1) } };

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace itk
 {
@@ -26,7 +27,7 @@ constexpr std::size_t Outer = 14;
 
 /** Blocks that are kept: blocks with the same index modulo these numbers take turns. A window has at most two along
  * each axis; both sides of a wall may be 16 voxels from its cell. */
-constexpr std::int64_t Kept[3] = { 16, 8, 4 };
+constexpr std::int64_t Kept[3] = { 12, 8, 4 };
 
 /** The blocks that a voxel is in, along an axis. */
 std::int64_t
@@ -79,7 +80,7 @@ Vector
 FindFirstEigenvector(Matrix a)
 {
   constexpr double negligible = 1e-15;
-  Matrix vectors{ { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } } }; // columns
+  Matrix           vectors{ { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } } }; // columns
   for (int sweep = 0; sweep < 6; ++sweep)
   {
     for (unsigned int p = 0; p < 2; ++p)
@@ -164,7 +165,12 @@ struct Rows
 MEDIALVOXEL_FOR_PROCESSORS void
 AddRows(const Rows & rows, const MedialVoxelIntegerLanes & isInside, RowSums & sums)
 {
-  Lanes xx = sums[0], xy = sums[1], xz = sums[2], yy = sums[3], yz = sums[4], zz = sums[5];
+  Lanes xx = sums[0];
+  Lanes xy = sums[1];
+  Lanes xz = sums[2];
+  Lanes yy = sums[3];
+  Lanes yz = sums[4];
+  Lanes zz = sums[5];
   for (std::size_t j = 0; j < rows.numbers[1]; ++j)
   {
     for (std::size_t i = 0; i < rows.numbers[0]; ++i)
@@ -235,6 +241,26 @@ std::uint64_t
 MedialVoxelGrayNormals::GetBytes()
 {
   return static_cast<std::uint64_t>(Kept[0] * Kept[1] * Kept[2]) * sizeof(Block);
+}
+
+double
+MedialVoxelGrayNormals::FindLargestValue(const MedialVoxelGray & gray)
+{
+  const MedialVoxelBox & box = gray.GetBox();
+  float                  largest = 0.0F;
+  for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
+  {
+    for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
+    {
+      const float * const row = gray.GetRow(y, z);
+      for (std::int64_t x = 0; x < box.Extent(0); ++x)
+      {
+        const float value = std::abs(row[x]);
+        largest = value > largest && value <= std::numeric_limits<float>::max() ? value : largest;
+      }
+    }
+  }
+  return largest > 0.0F ? static_cast<double>(largest) : 1.0;
 }
 
 MedialVoxelGrayNormals::MedialVoxelGrayNormals(const MedialVoxelGrid & grid,

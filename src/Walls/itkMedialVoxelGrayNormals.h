@@ -34,6 +34,10 @@ public:
   static std::uint64_t
   GetBytes();
 
+  /** The largest absolute value that is a number, or 1: a material where none is known. */
+  static double
+  FindLargestValue(const MedialVoxelGray & gray);
+
   /** \param background, material  values; they set the scale of the gradients */
   MedialVoxelGrayNormals(const MedialVoxelGrid & grid, double background, double material);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelScanSurvey.h"
 
+#include "itkMedialVoxelDilation.h"
 #include "itkMedialVoxelGrayLocal.h"
 #include "itkMedialVoxelGrayNormals.h"
 #include "itkMedialVoxelProgress.h"
@@ -85,59 +86,6 @@ ListNeighbors(const MedialVoxelGrid & grid)
   return neighbors;
 }
 
-/** The bits and those of all voxels up to \a reach from them along each axis, in the box of the bits. */
-MedialVoxelBits
-Dilate(const MedialVoxelBits & bits, const std::int64_t reach)
-{
-  using Word = MedialVoxelBits::WordType;
-  const Box &        box = bits.GetBox();
-  const std::int64_t words = bits.GetWordsPerRow();
-  MedialVoxelBits    alongX(box);
-  MedialVoxelBits    alongY(box);
-  MedialVoxelBits    result(box);
-  for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
-  {
-    for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
-    {
-      const Word * const from = bits.GetRow(y, z);
-      Word * const       to = alongX.GetRow(y, z);
-      for (std::int64_t i = 0; i < words; ++i)
-      {
-        Word all = from[i];
-        for (std::int64_t k = 1; k <= reach; ++k)
-        {
-          all |= (from[i] << k | from[i - 1] >> (MedialVoxelBits::BitsPerWord - k)) |
-                 (from[i] >> k | from[i + 1] << (MedialVoxelBits::BitsPerWord - k));
-        }
-        to[i] = all;
-      }
-    }
-  }
-  // Rows of rows: from the slices and rows around a row.
-  const auto join = [&](const MedialVoxelBits & from, MedialVoxelBits & to, const unsigned int axis) {
-    for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
-    {
-      for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
-      {
-        Word * const       row = to.GetRow(y, z);
-        const std::int64_t own = axis == 1 ? y : z;
-        const std::int64_t end = std::min(own + reach + 1, box.upper[axis]);
-        for (std::int64_t i = std::max(own - reach, box.lower[axis]); i < end; ++i)
-        {
-          const Word * const other = axis == 1 ? from.GetRow(i, z) : from.GetRow(y, i);
-          for (std::int64_t word = 0; word < words; ++word)
-          {
-            row[word] |= other[word];
-          }
-        }
-      }
-    }
-  };
-  join(alongX, alongY, 1);
-  join(alongY, result, 2);
-  return result;
-}
-
 /** \class BlockLook
  * \brief Takes the samples of one block. */
 class BlockLook
@@ -150,12 +98,12 @@ public:
     : m_Grid(grid)
     , m_Neighbors(neighbors)
     , m_Local(grid, 0.0, 1.0)
-    , m_Normals(grid, 0.0, FindLargest(gray))
+    , m_Normals(grid, 0.0, MedialVoxelGrayNormals::FindLargestValue(gray))
     , m_Object(object)
-    , m_Near(Dilate(object, FarFromObject))
-    , m_NearSmallMean(Dilate(m_Near, FarFromSmallMean - FarFromObject))
-    , m_NearLargeMean(Dilate(m_NearSmallMean, FarFromLargeMean - FarFromSmallMean))
-    , m_Around(Dilate(m_NearLargeMean, NearObject - FarFromLargeMean))
+    , m_Near(MedialVoxelDilate(object, FarFromObject))
+    , m_NearSmallMean(MedialVoxelDilate(m_Near, FarFromSmallMean - FarFromObject))
+    , m_NearLargeMean(MedialVoxelDilate(m_NearSmallMean, FarFromLargeMean - FarFromSmallMean))
+    , m_Around(MedialVoxelDilate(m_NearLargeMean, NearObject - FarFromLargeMean))
     , m_Gray(gray)
   {}
 
@@ -175,27 +123,6 @@ public:
 
 private:
   using Word = MedialVoxelBits::WordType;
-
-  /** The largest value that is a number, by its absolute value: the unit of gradients. */
-  static double
-  FindLargest(const MedialVoxelGray & gray)
-  {
-    const Box & box = gray.GetBox();
-    float       largest = 0.0F;
-    for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
-    {
-      for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
-      {
-        const float * const row = gray.GetRow(y, z);
-        for (std::int64_t x = 0; x < box.Extent(0); ++x)
-        {
-          const float value = std::abs(row[x]);
-          largest = value > largest && value <= std::numeric_limits<float>::max() ? value : largest;
-        }
-      }
-    }
-    return largest > 0.0F ? static_cast<double>(largest) : 1.0;
-  }
 
   /** Of the row of a block through a voxel. */
   void

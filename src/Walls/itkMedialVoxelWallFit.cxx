@@ -100,7 +100,7 @@ MedialVoxelWallFit::MakeProfile(const Samples & samples, const double reach) -> 
 {
   // A sample counts at the eight places within a voxel from it, with a weight that falls in a straight line. Samples
   // between two places differ by their distance to the lower one alone, so their sums suffice.
-  constexpr int                               halfWidth = static_cast<int>(1.0 / Step);
+  constexpr int                                            halfWidth = static_cast<int>(1.0 / Step);
   std::array<std::array<float, 4>, Places + 2 * halfWidth> bins{}; // weights, values, and both times the distance
   for (std::size_t i = 0; i < samples.GetNumber(); ++i)
   {
@@ -273,12 +273,11 @@ MedialVoxelWallFit::Fit(const MedialVoxelFitSums & sums, Wall & wall) const
     }
     const double u = sum.cc / determinant;
     const double v = -sum.tc / determinant;
-    wall.deviation =
-      m_Noise * std::sqrt(u * u * sum.squaredTT + 2.0 * u * v * sum.squaredTC + v * v * sum.squaredCC);
+    wall.deviation = m_Noise * std::sqrt(u * u * sum.squaredTT + 2.0 * u * v * sum.squaredTC + v * v * sum.squaredCC);
     // Newton's step where the sum of squares bends upwards, otherwise the one of Gauss.
-    double       tt = sum.tt - sum.bendTT;
-    double       tc = sum.tc - sum.bendTC;
-    double       cc = sum.cc - sum.bendCC;
+    double tt = sum.tt - sum.bendTT;
+    double tc = sum.tc - sum.bendTC;
+    double cc = sum.cc - sum.bendCC;
     if (!(tt > 0.0) || !(tt * cc - tc * tc > LeastDeterminant * determinant))
     {
       tt = sum.tt;
