@@ -17,7 +17,6 @@ using Vector = MedialVoxelVector3;
 using Place = MedialVoxelTriangleComplex::Place;
 using Index = MedialVoxelTriangleComplex::Index;
 
-constexpr double Growth = 1.6;
 constexpr double Long = 4.0 / 3.0;
 constexpr double Short = 4.0 / 5.0;
 
@@ -32,11 +31,14 @@ constexpr double CosineOfBend = 0.87;
 
 constexpr double GoodQuality = 0.3;
 
-constexpr unsigned int MostRounds = 4;
+/** Rounds of all steps, of repairs, and of cleaning. */
+constexpr unsigned int RoundsOfSteps = 4;
+constexpr unsigned int RoundsOfRepair = 4;
+constexpr unsigned int RoundsOfCleaning = 3;
 constexpr unsigned int RoundsOfPass = 2;
 
-/** Of the progress: while sides grow. */
-constexpr double ShareOfGrowth = 0.8;
+/** Of the progress. */
+constexpr double ShareOfSteps = 0.8;
 
 } // namespace
 
@@ -53,7 +55,6 @@ MedialVoxelRemesher::MedialVoxelRemesher(MedialVoxelFineSheet &      fine,
   {
     m_Complex.AddVertex(sheet.points[point]);
     m_Complex.GetVertex(point).size = fine.GetSize(point);
-    m_Complex.GetVertex(point).isShared = fine.IsShared(point);
   }
   for (Index triangle = 0; triangle < sheet.triangles.size(); ++triangle)
   {
@@ -61,66 +62,39 @@ MedialVoxelRemesher::MedialVoxelRemesher(MedialVoxelFineSheet &      fine,
   }
 }
 
-float
-MedialVoxelRemesher::GetLargestSize() const
-{
-  float largest = 0.0F;
-  for (Index vertex = 0; vertex < m_Complex.GetNumberOfVertices(); ++vertex)
-  {
-    largest = std::max(largest, m_Complex.GetSize(vertex));
-  }
-  return largest;
-}
-
 void
-MedialVoxelRemesher::Coarsen(const double most)
+MedialVoxelRemesher::Run()
 {
-  const double last = std::min<double>(most, this->GetLargestSize());
-  bool         knowsBends = false;
-  for (m_Level = m_Fine.GetMeanSide() * Growth;; m_Level *= Growth)
+  for (unsigned int round = 0; round < RoundsOfSteps; ++round)
   {
-    m_Level = m_Level > last / std::sqrt(Growth) ? std::max(last, m_Fine.GetMeanSide()) : m_Level;
-    m_Share = ShareOfGrowth * std::min(1.0, m_Level / last);
-    this->SplitLongSides();
-    this->CollapseShortSides(false);
-    this->FlipSides();
-    this->MoveVertices();
-    this->MoveVertices();
-    if (!knowsBends && m_Level > 6.0 * m_Noise)
-    {
-      this->RaiseSizesAtBends();
-      knowsBends = true;
-    }
-    if (m_Level >= last)
-    {
-      break;
-    }
-  }
-}
-
-void
-MedialVoxelRemesher::Finish()
-{
-  m_Level = this->GetLargestSize();
-  for (unsigned int round = 0; round < MostRounds; ++round)
-  {
-    m_Share = ShareOfGrowth + (1.0 - ShareOfGrowth) * round / (2 * MostRounds);
     this->SplitLongSides();
     this->CollapseShortSides(round > 0);
     this->FlipSides();
     this->MoveVertices();
+    if (round == 0)
+    {
+      this->RaiseSizesAtBends();
+    }
     this->FlipSides();
     this->MoveVertices();
+    m_Share = ShareOfSteps * (round + 1) / RoundsOfSteps;
   }
-  for (unsigned int round = 0; round < MostRounds; ++round)
+  for (unsigned int round = 0; round < RoundsOfRepair; ++round)
   {
-    m_Share = ShareOfGrowth + (1.0 - ShareOfGrowth) * (MostRounds + round) / (2 * MostRounds);
     this->RepairTriangles();
     this->MoveVertices();
     this->FlipSides();
   }
-  this->RepairTriangles();
-  this->CleanUp();
+  for (unsigned int round = 0; round < RoundsOfCleaning; ++round)
+  {
+    this->RepairTriangles();
+    this->CleanUp();
+    if (round + 1 < RoundsOfCleaning)
+    {
+      this->MoveVertices();
+      this->FlipSides();
+    }
+  }
 }
 
 void
@@ -135,7 +109,7 @@ MedialVoxelRemesher::Proceed()
 double
 MedialVoxelRemesher::GetSize(const Index a, const Index b) const
 {
-  return std::min<double>((m_Complex.GetSize(a) + m_Complex.GetSize(b)) / 2.0, m_Level);
+  return (static_cast<double>(m_Complex.GetSize(a)) + m_Complex.GetSize(b)) / 2.0;
 }
 
 double
@@ -174,28 +148,6 @@ MedialVoxelRemesher::ListSides() const
   return sides;
 }
 
-/** Whether a side is not to be cut: one between shared points, and one beside a longer one that is not cut, as its
- * triangle would have a long side however often the others are cut. */
-bool
-MedialVoxelRemesher::IsStuck(const Index a, const Index b) const
-{
-  if (!m_Fine.HasShared())
-  {
-    return false;
-  }
-  if (m_Complex.IsShared(a) && m_Complex.IsShared(b))
-  {
-    return true;
-  }
-  const double           length = this->GetLength(a, b);
-  const Complex::Indices triangles = m_Complex.FindTriangles(a, b);
-  return std::any_of(triangles.begin(), triangles.end(), [&](const Index triangle) {
-    const Index corner = m_Complex.GetOpposite(triangle, a, b);
-    return (this->GetLength(a, corner) > length && this->IsStuck(a, corner)) ||
-           (this->GetLength(b, corner) > length && this->IsStuck(b, corner));
-  });
-}
-
 /** Longest first, until none is left. */
 void
 MedialVoxelRemesher::SplitLongSides()
@@ -208,7 +160,7 @@ MedialVoxelRemesher::SplitLongSides()
     std::stable_sort(sides.begin(), sides.end(), [](const auto & x, const auto & y) { return x.length > y.length; });
     for (const LengthOfSide & side : sides)
     {
-      if (side.length <= Long * this->GetSize(side.a, side.b) || this->IsStuck(side.a, side.b))
+      if (side.length <= Long * this->GetSize(side.a, side.b))
       {
         continue;
       }
@@ -331,7 +283,7 @@ MedialVoxelRemesher::IsSharp(const Index vertex, const Place kind) const
   const Complex::Indices line = this->FindLineNeighbors(vertex, kind);
   const Vector           first = MedialVoxelSubtract(m_Complex.GetPoint(vertex), m_Complex.GetPoint(line[0]));
   const Vector           second = MedialVoxelSubtract(m_Complex.GetPoint(line[1]), m_Complex.GetPoint(vertex));
-  return m_Level > 4.0 * m_Noise && MedialVoxelCosine(first, second) < CosineOfCorner;
+  return this->GetSize(vertex, vertex) > 4.0 * m_Noise && MedialVoxelCosine(first, second) < CosineOfCorner;
 }
 
 /** Vertices of lines go along their lines only, unless two lines are to become one. */

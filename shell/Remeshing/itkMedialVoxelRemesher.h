@@ -13,9 +13,9 @@ namespace itk
 {
 
 /** \class MedialVoxelRemesher
- * \brief Brings a sheet to larger triangles of good shape, whose sides have the sizes of the fine sheet.
+ * \brief Makes elements of good shape of a coarse sheet, whose sides have the sizes of that.
  *
- * Sides grow by 1.6 at a time. At each size, long sides are cut, short ones are collapsed, sides are flipped and
+ * Long sides are cut, short ones are collapsed, sides are flipped and
  * vertices are moved along the fine sheet. Rims stay on rims and junctions on junctions. No step may leave a point of
  * the fine sheet, or the middle of a triangle, farther away than 0.15 of the size there (or half a fine side,
  * where that is more). Walls that are narrower than half an element, and bounded by a junction, are closed; others keep
@@ -35,14 +35,8 @@ public:
    * \param progress called often with the share that is done; may throw to stop */
   MedialVoxelRemesher(MedialVoxelFineSheet & fine, double noise, std::function<void(double)> progress);
 
-  /** Lets sides grow, by 1.6 at a time, up to their sizes, but to \a most at most. */
   void
-  Coarsen(double most);
-
-  /** Brings the sides to their sizes, and rids the sheet of triangles of bad shape. After Coarsen(), with all triangles
-   * of the sheet. */
-  void
-  Finish();
+  Run();
 
   const Complex &
   GetComplex() const
@@ -95,8 +89,6 @@ private:
   MoveVertices();
   void
   RepairTriangles();
-  float
-  GetLargestSize() const;
   void
   RaiseSizesAtBends();
   void
@@ -154,6 +146,8 @@ private:
   Step
   MakePassOver(const Complex::Indices & triangles, Index a, Index b, Index c) const;
   Step
+  MakeLid(Index vertex) const;
+  Step
   MakeMove(Index vertex, const Point & place) const;
 
   bool
@@ -163,8 +157,6 @@ private:
   std::vector<Index>
   Apply(const Step & step);
 
-  bool
-  IsStuck(Index a, Index b) const;
   bool
   MayLeave(Index from, Index to, bool merging) const;
   bool
@@ -219,7 +211,6 @@ private:
   Complex                     m_Complex;
   MedialVoxelSheetWitnesses   m_Witnesses;
   double                      m_Noise;
-  double                      m_Level{ 0 }; ///< the size that sides have at most
   std::uint64_t               m_HolesClosed{ 0 };
   std::uint64_t               m_LeftOut{ 0 };
   std::uint64_t               m_Steps{ 0 };

@@ -66,6 +66,20 @@ MedialVoxelTriangleComplex::AddTriangle(const Triangle & triangle, const Index w
   return number;
 }
 
+std::uint64_t
+MedialVoxelTriangleComplex::CountWallsLeftOut(const Index numberOfWalls) const
+{
+  std::vector<bool> isLeft(numberOfWalls);
+  for (Index triangle = 0; triangle < m_Triangles.size(); ++triangle)
+  {
+    if (this->IsTriangle(triangle))
+    {
+      isLeft[m_Walls[triangle]] = true;
+    }
+  }
+  return static_cast<std::uint64_t>(std::count(isLeft.begin(), isLeft.end(), false));
+}
+
 std::array<MedialVoxelTriangleComplex::Point, 3>
 MedialVoxelTriangleComplex::GetCorners(const Index triangle) const
 {

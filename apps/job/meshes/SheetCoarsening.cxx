@@ -19,6 +19,9 @@ namespace
 using Index = itk::MedialVoxelSheet::Index;
 using Check = std::function<void()>;
 
+/** Faces of a part at most. */
+constexpr std::uint64_t MostFaces = std::uint64_t{ 1 } << 13;
+
 /** Memory of readers and the lattice of parts. */
 constexpr std::uint64_t BaseMemory = std::uint64_t{ 40 } << 20;
 
@@ -61,13 +64,11 @@ struct SheetCoarsening::Part
   std::vector<std::uint32_t> objects;
 };
 
-SheetCoarsening::SheetCoarsening(std::unique_ptr<MeshSpool> surface,
-                                 const SheetRemeshing &     remeshing,
-                                 const unsigned int         number)
+SheetCoarsening::SheetCoarsening(std::unique_ptr<MeshSpool> surface, const SheetRemeshing & remeshing)
   : m_Remeshing(remeshing)
 {
   MeshReader          reader(*surface, remeshing.progress);
-  const MeshPartition partition(reader, MostFaces, number % 2 == 0 ? 0.0 : 0.5);
+  const MeshPartition partition(reader, MostFaces, 0.0);
   m_Grouped = SortMesh(
     std::move(surface),
     [&partition](const MeshSpool::Vertex & vertex) { return partition.GetPart(vertex); },
@@ -145,7 +146,7 @@ SheetCoarsening::ReadPart(const std::uint64_t number) const
 }
 
 std::unique_ptr<MeshSpool>
-SheetCoarsening::Coarsen(const double most) const
+SheetCoarsening::Coarsen() const
 {
   struct Coarsened
   {
@@ -177,7 +178,7 @@ SheetCoarsening::Coarsen(const double most) const
     std::vector<bool> shared(fine.numbers.size());
     std::transform(fine.numbers.begin(), fine.numbers.end(), shared.begin(), isShared);
     coarsened.part =
-      itk::MedialVoxelCoarsenPart(std::move(fine.sheet), std::move(shared), m_Remeshing.size, most, ToProgress(check));
+      itk::MedialVoxelCoarsenPart(std::move(fine.sheet), shared, m_Remeshing.size, ToProgress(check));
     return coarsened;
   };
   const auto take = [&](std::uint64_t, Coarsened && coarsened) {
@@ -188,7 +189,7 @@ SheetCoarsening::Coarsen(const double most) const
     {
       const Index         finePoint = coarsened.part.finePoint[k];
       const std::uint64_t vertex = coarsened.fine.numbers[finePoint];
-      if (coarsened.part.isShared[k])
+      if (isShared(vertex))
       {
         numbers.push_back(static_cast<std::uint64_t>(findShared(vertex) - m_Shared.begin()));
         continue;

@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelSheetDecimation.h"
+
+#include "itkMedialVoxelElementQuality.h"
+#include "itkMedialVoxelSheetVectors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+
+using Vector = MedialVoxelVector3;
+
+constexpr double Long = 4.0 / 3.0;
+constexpr double Short = 4.0 / 5.0;
+
+/** Of the wanted size: the largest error. */
+constexpr double ToleranceOfSize = 0.08;
+
+/** Of a triangle that a collapse changes: how far its normal may turn, and the shape that it is to keep. */
+constexpr double CosineOfTurn = 0.5;
+constexpr double LeastQuality = 0.3;
+
+} // namespace
+
+void
+MedialVoxelSheetDecimation::Quadric::AddForm(const std::array<double, 6> & form, const Point & point, double weight)
+{
+  const Point linear{ { form[0] * point[0] + form[1] * point[1] + form[2] * point[2],
+                        form[1] * point[0] + form[3] * point[1] + form[4] * point[2],
+                        form[2] * point[0] + form[4] * point[1] + form[5] * point[2] } };
+  for (unsigned int k = 0; k < form.size(); ++k)
+  {
+    m_Form[k] += weight * form[k];
+  }
+  m_Linear = MedialVoxelAddScaled(m_Linear, linear, weight);
+  m_Constant += weight * MedialVoxelDot(linear, point);
+  m_Weight += weight;
+}
+
+void
+MedialVoxelSheetDecimation::Quadric::AddPlane(const Point & point, const Point & n, const double weight)
+{
+  this->AddForm({ { n[0] * n[0], n[0] * n[1], n[0] * n[2], n[1] * n[1], n[1] * n[2], n[2] * n[2] } }, point, weight);
+}
+
+void
+MedialVoxelSheetDecimation::Quadric::AddLine(const Point & point, const Point & d, const double weight)
+{
+  this->AddForm({ { 1 - d[0] * d[0], -d[0] * d[1], -d[0] * d[2], 1 - d[1] * d[1], -d[1] * d[2], 1 - d[2] * d[2] } },
+                point,
+                weight);
+}
+
+void
+MedialVoxelSheetDecimation::Quadric::Add(const Quadric & other)
+{
+  for (unsigned int k = 0; k < m_Form.size(); ++k)
+  {
+    m_Form[k] += other.m_Form[k];
+  }
+  m_Linear = MedialVoxelAddScaled(m_Linear, other.m_Linear, 1.0);
+  m_Constant += other.m_Constant;
+  m_Weight += other.m_Weight;
+}
+
+double
+MedialVoxelSheetDecimation::Quadric::GetSum(const Point & p) const
+{
+  const double squares = m_Form[0] * p[0] * p[0] + m_Form[3] * p[1] * p[1] + m_Form[5] * p[2] * p[2];
+  const double mixed = m_Form[1] * p[0] * p[1] + m_Form[2] * p[0] * p[2] + m_Form[4] * p[1] * p[2];
+  return std::max(0.0, squares + 2.0 * (mixed - MedialVoxelDot(m_Linear, p)) + m_Constant);
+}
+
+MedialVoxelSheetDecimation::MedialVoxelSheetDecimation(Complex &                   complex,
+                                                       const double                noise,
+                                                       std::function<void(double)> progress)
+  : m_Complex(complex)
+  , m_Noise(noise)
+  , m_Progress(std::move(progress))
+  , m_Planes(complex.GetNumberOfVertices())
+  , m_Lines(complex.GetNumberOfVertices())
+  , m_IsQueued(complex.GetNumberOfVertices())
+{}
+
+void
+MedialVoxelSheetDecimation::Run()
+{
+  this->AddQuadrics();
+  for (Index vertex = 0; vertex < m_Complex.GetNumberOfVertices(); ++vertex)
+  {
+    this->Queue(vertex);
+  }
+  for (std::size_t steps = 0; !m_Queue.empty(); ++steps)
+  {
+    if (steps % 4096 == 0 && m_Progress)
+    {
+      m_Progress(std::min(1.0, static_cast<double>(steps) / (4.0 * m_Complex.GetNumberOfVertices())));
+    }
+    const Entry entry = m_Queue.top();
+    m_Queue.pop();
+    m_IsQueued[entry.vertex] = false;
+    const Complex::Neighbors neighbors = m_Complex.FindNeighbors(entry.vertex);
+    const Candidates         candidates = this->ListCandidates(entry.vertex, neighbors);
+    if (candidates.size() > 0 && candidates[0].cost > 1.1 * entry.cost)
+    {
+      m_Queue.push({ candidates[0].cost, entry.vertex });
+      m_IsQueued[entry.vertex] = true;
+      continue;
+    }
+    const bool isCollapsed = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate & candidate) {
+      return this->TryCollapse(entry.vertex, candidate.vertex, neighbors);
+    });
+    for (std::size_t k = 0; isCollapsed && k < neighbors.size(); ++k)
+    {
+      this->Queue(neighbors[k].vertex);
+    }
+  }
+}
+
+/** Of each triangle its plane by its area, of each side of a line that line by its length. */
+void
+MedialVoxelSheetDecimation::AddQuadrics()
+{
+  for (Index triangle = 0; triangle < m_Complex.GetNumberOfTriangles(); ++triangle)
+  {
+    if (!m_Complex.IsTriangle(triangle))
+    {
+      continue;
+    }
+    const auto   corners = m_Complex.GetCorners(triangle);
+    const Vector normal = MedialVoxelTriangleNormal(corners);
+    const double length = MedialVoxelNorm(normal);
+    Quadric      plane;
+    if (length > 0.0)
+    {
+      plane.AddPlane(corners[0], MedialVoxelAddScaled({}, normal, 1.0 / length), length);
+    }
+    for (const Index vertex : m_Complex.GetTriangle(triangle))
+    {
+      m_Planes[vertex].Add(plane);
+    }
+  }
+  for (Index vertex = 0; vertex < m_Complex.GetNumberOfVertices(); ++vertex)
+  {
+    for (const Complex::Neighbor & neighbor : m_Complex.FindNeighbors(vertex))
+    {
+      const double length = this->GetLength(vertex, neighbor.vertex);
+      if (neighbor.triangles != 2 && length > 0.0)
+      {
+        const Vector side = MedialVoxelSubtract(m_Complex.GetPoint(neighbor.vertex), m_Complex.GetPoint(vertex));
+        m_Lines[vertex].AddLine(
+          m_Complex.GetPoint(vertex), MedialVoxelAddScaled({}, side, 1.0 / length), length);
+      }
+    }
+  }
+}
+
+void
+MedialVoxelSheetDecimation::Queue(const Index vertex)
+{
+  if (m_IsQueued[vertex] || m_Complex.IsShared(vertex) || m_Complex.GetTrianglesOf(vertex).empty())
+  {
+    return;
+  }
+  const Candidates candidates = this->ListCandidates(vertex, m_Complex.FindNeighbors(vertex));
+  if (candidates.size() > 0)
+  {
+    m_Queue.push({ candidates[0].cost, vertex });
+    m_IsQueued[vertex] = true;
+  }
+}
+
+/** The neighbors that a vertex may be put on, as far as sizes and errors say, cheapest first. */
+MedialVoxelSheetDecimation::Candidates
+MedialVoxelSheetDecimation::ListCandidates(const Index vertex, const Complex::Neighbors & neighbors) const
+{
+  unsigned int rims = 0;
+  unsigned int junctions = 0;
+  for (const Complex::Neighbor & neighbor : neighbors)
+  {
+    rims += neighbor.triangles == 1 ? 1 : 0;
+    junctions += neighbor.triangles > 2 ? 1 : 0;
+  }
+  Candidates candidates;
+  if (rims + junctions != 0 && (rims + junctions != 2 || rims == 1))
+  {
+    return candidates; // a corner
+  }
+  for (const Complex::Neighbor & neighbor : neighbors)
+  {
+    const Index other = neighbor.vertex;
+    if ((neighbor.triangles != 2) == (rims + junctions != 0) &&
+        this->GetLength(vertex, other) < Short * this->GetSize(vertex, other))
+    {
+      const double cost = this->GetCost(vertex, other);
+      if (cost < 2.0)
+      {
+        candidates.push_back({ cost, other });
+      }
+    }
+  }
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate & a, const Candidate & b) {
+    return a.cost != b.cost ? a.cost < b.cost : a.vertex < b.vertex;
+  });
+  return candidates;
+}
+
+/** The square of the error, of the allowed one, and of the length, of the size; above 2 if the error is not allowed. */
+double
+MedialVoxelSheetDecimation::GetCost(const Index from, const Index to) const
+{
+  const Vector & place = m_Complex.GetPoint(to);
+  const double   tolerance = std::max(ToleranceOfSize * this->GetSize(to, to), m_Noise);
+  double         error = 0.0;
+  for (const std::vector<Quadric> * quadrics : { &m_Planes, &m_Lines })
+  {
+    const Quadric & a = (*quadrics)[from];
+    const Quadric & b = (*quadrics)[to];
+    const double    weight = a.GetWeight();
+    if (weight > 0.0)
+    {
+      error = std::max(error, (a.GetSum(place) + b.GetSum(place)) / (weight + b.GetWeight()));
+    }
+  }
+  const double ofTolerance = error / (tolerance * tolerance);
+  const double ofSize = this->GetLength(from, to) / this->GetSize(from, to);
+  return ofTolerance > 1.0 ? 3.0 : ofTolerance + ofSize * ofSize;
+}
+
+bool
+MedialVoxelSheetDecimation::TryCollapse(const Index from, const Index to, const Complex::Neighbors & neighbors)
+{
+  const bool isShort = std::all_of(neighbors.begin(), neighbors.end(), [&](const Complex::Neighbor & neighbor) {
+    const Index other = neighbor.vertex;
+    return other == to || this->GetLength(other, to) <= Long * this->GetSize(other, to);
+  });
+  if (!isShort || !this->KeepsShapes(from, to) || !m_Complex.CanCollapse(from, to))
+  {
+    return false;
+  }
+  m_Complex.Collapse(from, to);
+  m_Planes[to].Add(m_Planes[from]);
+  m_Lines[to].Add(m_Lines[from]);
+  return true;
+}
+
+bool
+MedialVoxelSheetDecimation::KeepsShapes(const Index from, const Index to) const
+{
+  double before = LeastQuality;
+  double after = 1.0;
+  for (const Index triangle : m_Complex.GetTrianglesOf(from))
+  {
+    const Complex::Triangle & corners = m_Complex.GetTriangle(triangle);
+    auto                      points = m_Complex.GetCorners(triangle);
+    const Vector              normal = MedialVoxelTriangleNormal(points);
+    before = std::min(before, MedialVoxelScaledJacobian(points));
+    if (std::find(corners.begin(), corners.end(), to) == corners.end())
+    {
+      points[static_cast<std::size_t>(std::find(corners.begin(), corners.end(), from) - corners.begin())] =
+        m_Complex.GetPoint(to);
+      if (MedialVoxelCosine(normal, MedialVoxelTriangleNormal(points)) < CosineOfTurn)
+      {
+        return false;
+      }
+      after = std::min(after, MedialVoxelScaledJacobian(points));
+    }
+  }
+  return after >= before;
+}
+
+double
+MedialVoxelSheetDecimation::GetSize(const Index a, const Index b) const
+{
+  return (m_Complex.GetSize(a) + m_Complex.GetSize(b)) / 2.0;
+}
+
+double
+MedialVoxelSheetDecimation::GetLength(const Index a, const Index b) const
+{
+  return MedialVoxelNorm(MedialVoxelSubtract(m_Complex.GetPoint(a), m_Complex.GetPoint(b)));
+}
+
+} // end namespace itk
