@@ -24,6 +24,9 @@ constexpr double Short = 4.0 / 5.0;
 constexpr double ToleranceOfSize = 0.08;
 constexpr double MergingOfSize = 0.3;
 
+/** Of the size: shorter moves are not worth it. */
+constexpr double LeastMove = 0.02;
+
 /** Turns of a line, and of a normal. */
 constexpr double CosineOfCorner = 0.6;
 constexpr double CosineOfStep = 0.5;
@@ -369,23 +372,36 @@ MedialVoxelRemesher::TryMove(const Index vertex, const Place kind)
   {
     const auto nearest =
       this->Project(vertex, kind, MedialVoxelAddScaled(point, MedialVoxelSubtract(mean, point), share));
-    if (!(nearest.distance < this->GetSize(vertex, vertex)))
+    const double length = MedialVoxelNorm(MedialVoxelSubtract(nearest.point, point));
+    if (length >= LeastMove * this->GetSize(vertex, vertex) &&
+        this->TryMoveTo(vertex, nearest, { this->GetTolerance(vertex), CosineOfStep, GoodQuality }))
     {
-      continue;
-    }
-    const Step step = this->MakeMove(vertex, nearest.point);
-    if (this->Allows(step, { this->GetTolerance(vertex), CosineOfStep, GoodQuality }))
-    {
-      m_Complex.GetVertex(vertex).point = nearest.point;
-      m_Witnesses.Assign(step.before, step.numbers);
-      if (kind == Place::Wall)
-      {
-        m_Complex.GetVertex(vertex).size = m_Fine.GetSize(m_Fine.GetNearestPoint(nearest.triangle, nearest.point));
-      }
       return true;
     }
   }
   return false;
+}
+
+/** To a place that it was projected to. */
+bool
+MedialVoxelRemesher::TryMoveTo(const Index vertex, const MedialVoxelSheetTree::Nearest & nearest, const Rules & rules)
+{
+  if (!(nearest.distance < this->GetSize(vertex, vertex)))
+  {
+    return false;
+  }
+  const Step step = this->MakeMove(vertex, nearest.point);
+  if (!this->Allows(step, rules))
+  {
+    return false;
+  }
+  if (m_Complex.GetPlace(vertex) == Place::Wall)
+  {
+    m_Complex.GetVertex(vertex).size = m_Fine.GetSize(m_Fine.GetNearestPoint(nearest.triangle, nearest.point));
+  }
+  m_Complex.GetVertex(vertex).point = nearest.point;
+  m_Witnesses.Assign(step.before, step.numbers);
+  return true;
 }
 
 /** Of the rims of the wall of a vertex, or of all junctions. */

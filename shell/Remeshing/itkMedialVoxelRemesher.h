@@ -107,7 +107,11 @@ private:
   bool
   TryMove(Index vertex, Complex::Place kind);
   bool
+  TryMoveTo(Index vertex, const MedialVoxelSheetTree::Nearest & nearest, const Rules & rules);
+  bool
   TryRepair(Index triangle);
+  bool
+  TryShift(Index vertex);
   bool
   TryPassOver(Index a, Index b, Index c, double improvement);
 

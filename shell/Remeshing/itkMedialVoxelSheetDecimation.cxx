@@ -3,6 +3,7 @@
 #include "itkMedialVoxelSheetDecimation.h"
 
 #include "itkMedialVoxelElementQuality.h"
+#include "itkMedialVoxelSheetTree.h"
 #include "itkMedialVoxelSheetVectors.h"
 
 #include <algorithm>
@@ -21,9 +22,15 @@ constexpr double Short = 4.0 / 5.0;
 /** Of the wanted size: the largest error. */
 constexpr double ToleranceOfSize = 0.08;
 
+/** The same of lines, of the tolerance. */
+constexpr double ToleranceOfLine = 2.0;
+
 /** Of a triangle that a collapse changes: how far its normal may turn, and the shape that it is to keep. */
 constexpr double CosineOfTurn = 0.5;
 constexpr double LeastQuality = 0.3;
+
+/** Above all costs that are. */
+constexpr double NotAllowed = 2.0;
 
 } // namespace
 
@@ -46,14 +53,6 @@ void
 MedialVoxelSheetDecimation::Quadric::AddPlane(const Point & point, const Point & n, const double weight)
 {
   this->AddForm({ { n[0] * n[0], n[0] * n[1], n[0] * n[2], n[1] * n[1], n[1] * n[2], n[2] * n[2] } }, point, weight);
-}
-
-void
-MedialVoxelSheetDecimation::Quadric::AddLine(const Point & point, const Point & d, const double weight)
-{
-  this->AddForm({ { 1 - d[0] * d[0], -d[0] * d[1], -d[0] * d[2], 1 - d[1] * d[1], -d[1] * d[2], 1 - d[2] * d[2] } },
-                point,
-                weight);
 }
 
 void
@@ -83,7 +82,7 @@ MedialVoxelSheetDecimation::MedialVoxelSheetDecimation(Complex &                
   , m_Noise(noise)
   , m_Progress(std::move(progress))
   , m_Planes(complex.GetNumberOfVertices())
-  , m_Lines(complex.GetNumberOfVertices())
+  , m_LineErrors(complex.GetNumberOfVertices())
   , m_IsQueued(complex.GetNumberOfVertices())
 {}
 
@@ -122,7 +121,7 @@ MedialVoxelSheetDecimation::Run()
   }
 }
 
-/** Of each triangle its plane by its area, of each side of a line that line by its length. */
+/** Of each triangle its plane, by its area. */
 void
 MedialVoxelSheetDecimation::AddQuadrics()
 {
@@ -143,19 +142,6 @@ MedialVoxelSheetDecimation::AddQuadrics()
     for (const Index vertex : m_Complex.GetTriangle(triangle))
     {
       m_Planes[vertex].Add(plane);
-    }
-  }
-  for (Index vertex = 0; vertex < m_Complex.GetNumberOfVertices(); ++vertex)
-  {
-    for (const Complex::Neighbor & neighbor : m_Complex.FindNeighbors(vertex))
-    {
-      const double length = this->GetLength(vertex, neighbor.vertex);
-      if (neighbor.triangles != 2 && length > 0.0)
-      {
-        const Vector side = MedialVoxelSubtract(m_Complex.GetPoint(neighbor.vertex), m_Complex.GetPoint(vertex));
-        m_Lines[vertex].AddLine(
-          m_Complex.GetPoint(vertex), MedialVoxelAddScaled({}, side, 1.0 / length), length);
-      }
     }
   }
 }
@@ -179,30 +165,35 @@ MedialVoxelSheetDecimation::Queue(const Index vertex)
 MedialVoxelSheetDecimation::Candidates
 MedialVoxelSheetDecimation::ListCandidates(const Index vertex, const Complex::Neighbors & neighbors) const
 {
-  unsigned int rims = 0;
-  unsigned int junctions = 0;
+  Complex::Indices rims;
+  Complex::Indices junctions;
   for (const Complex::Neighbor & neighbor : neighbors)
   {
-    rims += neighbor.triangles == 1 ? 1 : 0;
-    junctions += neighbor.triangles > 2 ? 1 : 0;
-  }
-  Candidates candidates;
-  if (rims + junctions != 0 && (rims + junctions != 2 || rims == 1))
-  {
-    return candidates; // a corner
-  }
-  for (const Complex::Neighbor & neighbor : neighbors)
-  {
-    const Index other = neighbor.vertex;
-    if ((neighbor.triangles != 2) == (rims + junctions != 0) &&
-        this->GetLength(vertex, other) < Short * this->GetSize(vertex, other))
+    if (neighbor.triangles != 2)
     {
-      const double cost = this->GetCost(vertex, other);
-      if (cost < 2.0)
+      (neighbor.triangles == 1 ? rims : junctions).push_back(neighbor.vertex);
+    }
+  }
+  Candidates  candidates;
+  const auto & line = rims.size() > 0 ? rims : junctions;
+  const auto  add = [&](const Index other, const double lineError) {
+    if (this->GetLength(vertex, other) < Short * this->GetSize(vertex, other))
+    {
+      const double cost = this->GetCost(vertex, other, lineError);
+      if (cost < NotAllowed)
       {
         candidates.push_back({ cost, other });
       }
     }
+  };
+  if (rims.size() + junctions.size() == 0)
+  {
+    std::for_each(neighbors.begin(), neighbors.end(), [&](const auto & neighbor) { add(neighbor.vertex, 0.0); });
+  }
+  else if (line.size() == 2 && (rims.size() == 0 || junctions.size() == 0))
+  {
+    add(line[0], this->GetLineError(vertex, line[0], line[1]));
+    add(line[1], this->GetLineError(vertex, line[1], line[0]));
   }
   std::sort(candidates.begin(), candidates.end(), [](const Candidate & a, const Candidate & b) {
     return a.cost != b.cost ? a.cost < b.cost : a.vertex < b.vertex;
@@ -210,26 +201,33 @@ MedialVoxelSheetDecimation::ListCandidates(const Index vertex, const Complex::Ne
   return candidates;
 }
 
-/** The square of the error, of the allowed one, and of the length, of the size; above 2 if the error is not allowed. */
+/** How far the line of a vertex is from points that went, at the least, when it goes from \a to straight to \a other. */
 double
-MedialVoxelSheetDecimation::GetCost(const Index from, const Index to) const
+MedialVoxelSheetDecimation::GetLineError(const Index vertex, const Index to, const Index other) const
 {
-  const Vector & place = m_Complex.GetPoint(to);
-  const double   tolerance = std::max(ToleranceOfSize * this->GetSize(to, to), m_Noise);
-  double         error = 0.0;
-  for (const std::vector<Quadric> * quadrics : { &m_Planes, &m_Lines })
-  {
-    const Quadric & a = (*quadrics)[from];
-    const Quadric & b = (*quadrics)[to];
-    const double    weight = a.GetWeight();
-    if (weight > 0.0)
-    {
-      error = std::max(error, (a.GetSum(place) + b.GetSum(place)) / (weight + b.GetWeight()));
-    }
-  }
-  const double ofTolerance = error / (tolerance * tolerance);
-  const double ofSize = this->GetLength(from, to) / this->GetSize(from, to);
-  return ofTolerance > 1.0 ? 3.0 : ofTolerance + ofSize * ofSize;
+  const Vector & point = m_Complex.GetPoint(vertex);
+  const Vector & end = m_Complex.GetPoint(other);
+  const Vector   nearest = MedialVoxelNearestOfTriangle(point, { { m_Complex.GetPoint(to), end, end } });
+  return std::max({ m_LineErrors[vertex],
+                    m_LineErrors[to],
+                    m_LineErrors[other],
+                    MedialVoxelNorm(MedialVoxelSubtract(nearest, point)) });
+}
+
+/** The squares of the error, of the allowed one, and of the length, of the size. */
+double
+MedialVoxelSheetDecimation::GetCost(const Index from, const Index to, const double lineError) const
+{
+  const Vector &  place = m_Complex.GetPoint(to);
+  const double    tolerance = std::max(ToleranceOfSize * this->GetSize(to, to), m_Noise);
+  const Quadric & a = m_Planes[from];
+  const Quadric & b = m_Planes[to];
+  const double    weight = a.GetWeight() + b.GetWeight();
+  const double    plane = weight > 0.0 ? (a.GetSum(place) + b.GetSum(place)) / weight : 0.0;
+  const double    line = lineError / ToleranceOfLine;
+  const double    ofTolerance = std::max(plane, line * line) / (tolerance * tolerance);
+  const double    ofSize = this->GetLength(from, to) / this->GetSize(from, to);
+  return ofTolerance > 1.0 ? NotAllowed : ofTolerance + ofSize * ofSize;
 }
 
 bool
@@ -243,9 +241,17 @@ MedialVoxelSheetDecimation::TryCollapse(const Index from, const Index to, const 
   {
     return false;
   }
+  for (const Complex::Neighbor & neighbor : neighbors)
+  {
+    const auto own = std::find_if(neighbors.begin(), neighbors.end(), [&](const auto & n) { return n.vertex == to; });
+    if (own->triangles != 2 && neighbor.triangles != 2 && neighbor.vertex != to)
+    {
+      const double error = this->GetLineError(from, to, neighbor.vertex);
+      m_LineErrors[to] = m_LineErrors[neighbor.vertex] = error;
+    }
+  }
   m_Complex.Collapse(from, to);
   m_Planes[to].Add(m_Planes[from]);
-  m_Lines[to].Add(m_Lines[from]);
   return true;
 }
 

@@ -15,8 +15,8 @@ namespace itk
  * \brief Takes points out of a sheet until its sides have their sizes: cheapest first, by quadric errors.
  *
  * Each collapse puts a vertex on a neighbor, so that all that stay are points of the fine sheet. Vertices of rims and
- * junctions go along their lines only. The root mean square distance of what stays to the planes, and to the lines, of
- * what went is at most a tolerance at each vertex.
+ * junctions go along their lines only, which stay within a tolerance. The root mean square distance of a vertex that
+ * stays to the planes of what went is at most the same.
  * \ingroup MedialVoxel
  */
 class MedialVoxelSheetDecimation
@@ -39,17 +39,13 @@ public:
 private:
   using Point = Complex::Point;
 
-  /** The sum of weighted squared distances to planes and lines, which is a polynomial of the place. */
+  /** The sum of weighted squared distances to planes, which is a polynomial of the place. */
   class Quadric
   {
   public:
     /** \pre the normal has the length 1 */
     void
     AddPlane(const Point & point, const Point & normal, double weight);
-
-    /** \pre the direction has the length 1 */
-    void
-    AddLine(const Point & point, const Point & direction, double weight);
 
     void
     Add(const Quadric & other);
@@ -98,7 +94,9 @@ private:
   Candidates
   ListCandidates(Index vertex, const Complex::Neighbors & neighbors) const;
   double
-  GetCost(Index from, Index to) const;
+  GetLineError(Index vertex, Index to, Index other) const;
+  double
+  GetCost(Index from, Index to, double lineError) const;
   bool
   TryCollapse(Index from, Index to, const Complex::Neighbors & neighbors);
   bool
@@ -114,7 +112,7 @@ private:
   double                      m_Noise;
   std::function<void(double)> m_Progress;
   std::vector<Quadric>        m_Planes; ///< of each vertex
-  std::vector<Quadric>        m_Lines;
+  std::vector<double>         m_LineErrors;
   std::priority_queue<Entry>  m_Queue;
   std::vector<bool>           m_IsQueued;
 };

@@ -68,7 +68,7 @@ SheetCoarsening::SheetCoarsening(std::unique_ptr<MeshSpool> surface, const Sheet
   : m_Remeshing(remeshing)
 {
   MeshReader          reader(*surface, remeshing.progress);
-  const MeshPartition partition(reader, MostFaces, 0.0);
+  const MeshPartition partition(reader, MostFaces);
   m_Grouped = SortMesh(
     std::move(surface),
     [&partition](const MeshSpool::Vertex & vertex) { return partition.GetPart(vertex); },
@@ -141,7 +141,6 @@ SheetCoarsening::ReadPart(const std::uint64_t number) const
       part.sheet.triangles.push_back({ { corners[0], corners[1], corners[2] } });
     }
   }
-  part.sheet.RemoveDuplicates();
   return part;
 }
 
@@ -175,6 +174,7 @@ SheetCoarsening::Coarsen() const
   const auto make = [&](const std::uint64_t number, const Check & check) {
     Coarsened         coarsened{ {}, this->ReadPart(number) };
     Part &            fine = coarsened.fine;
+    fine.sheet.RemoveDuplicates();
     std::vector<bool> shared(fine.numbers.size());
     std::transform(fine.numbers.begin(), fine.numbers.end(), shared.begin(), isShared);
     coarsened.part =
@@ -219,27 +219,32 @@ SheetCoarsening::MeasureDistances(const itk::MedialVoxelRemeshedSheet & coarse,
 {
   itk::MedialVoxelSheetDistances distances(coarse);
   const auto                     check = [this] { m_Remeshing.progress(0.0); };
-  using Histogram = itk::MedialVoxelDistanceHistogram;
-  OrderedWork<Histogram>::Run(
-    this->GetNumberOfParts(),
-    m_Remeshing.threads,
-    [&](const std::uint64_t number, const Check &) { return distances.MeasurePoints(this->ReadPart(number).sheet); },
-    [&](std::uint64_t, const Histogram & points) { distances.Add(points); },
-    check);
-  using Samples = std::vector<itk::MedialVoxelSheetDistances::SampleDistance>;
+  struct Measured
+  {
+    itk::MedialVoxelDistanceHistogram                           points;
+    std::vector<itk::MedialVoxelSheetDistances::SampleDistance> samples;
+  };
+  // Samples are near the fine surface nearly always.
+  bool isFirst = true;
   for (const double within : { GetLongestSide(coarse), itk::MedialVoxelSheetTree::Anywhere })
   {
-    if (!distances.IsComplete())
+    if (isFirst || !distances.IsComplete())
     {
-      OrderedWork<Samples>::Run(
+      OrderedWork<Measured>::Run(
         this->GetNumberOfParts(),
         m_Remeshing.threads,
         [&](const std::uint64_t number, const Check &) {
-          return distances.MeasureSamples(this->ReadPart(number).sheet, within);
+          const itk::MedialVoxelSheet part = this->ReadPart(number).sheet;
+          return Measured{ isFirst ? distances.MeasurePoints(part) : itk::MedialVoxelDistanceHistogram{},
+                           distances.MeasureSamples(part, within) };
         },
-        [&](std::uint64_t, const Samples & samples) { distances.Add(samples); },
+        [&](std::uint64_t, const Measured & measured) {
+          distances.Add(measured.points);
+          distances.Add(measured.samples);
+        },
         check);
     }
+    isFirst = false;
   }
   distances.Summarize(summary);
 }
