@@ -22,6 +22,9 @@ using Vector = MedialVoxelVector3;
 using Complex = MedialVoxelTriangleComplex;
 using Nearest = MedialVoxelSheetTree::Nearest;
 
+/** Triangles of a part at most, so that small sheets have parts for many threads. */
+constexpr std::size_t TrianglesOfPart = 2048;
+
 double
 GetArea(const std::array<Vector, 3> & corners)
 {
@@ -160,11 +163,19 @@ MedialVoxelRemeshedSheet
 MakeElements(MedialVoxelSheet                    sheet,
              const MedialVoxelElementSize &      size,
              const double                        noise,
+             const MedialVoxelRunTasks &         runTasks,
              const std::function<void(double)> & progress)
 {
-  MedialVoxelFineSheet fine(std::move(sheet), size);
-  MedialVoxelRemesher  remesher(fine, noise, progress);
-  remesher.Run();
+  MedialVoxelFineSheet           fine(std::move(sheet), size);
+  const MedialVoxelSheetDivision division = MedialVoxelDivideSheet(fine.GetSheet(), TrianglesOfPart);
+  MedialVoxelRemesher::Parts     parts(division.parts.size());
+  runTasks(parts.size(), [&](const std::size_t number, const std::function<void()> & check) {
+    parts[number] = std::make_unique<MedialVoxelRemesher>(fine, noise, division.parts[number], division.isShared);
+    parts[number]->RunPart([&check](double) { check(); });
+  });
+  MedialVoxelRemesher remesher(fine, noise, parts);
+  parts.clear();
+  remesher.RunWhole(progress);
 
   const Complex &                complex = remesher.GetComplex();
   MedialVoxelRemeshedSheet       result;
@@ -191,7 +202,8 @@ MedialVoxelRemeshingBytesPerTriangle()
 MedialVoxelRemeshedSheet
 MedialVoxelRemesh(MedialVoxelSheet                    sheet,
                   const MedialVoxelElementSize &      size,
-                  const std::function<void(double)> & progress)
+                  const std::function<void(double)> & progress,
+                  const MedialVoxelRunTasks &         runTasks)
 {
   assert(size.least > 0.0 && sheet.thickness.size() == sheet.points.size());
   const double             area = GetArea(sheet);
@@ -207,7 +219,7 @@ MedialVoxelRemesh(MedialVoxelSheet                    sheet,
     rims = MedialVoxelExtendRims(coarse.sheet, size.measureRimRays, size.rimLimits, origins);
   }
   // Rims that were extended are straight.
-  auto result = MakeElements(std::move(coarse.sheet), size, size.extendsRims ? 0.0 : noise, progress);
+  auto result = MakeElements(std::move(coarse.sheet), size, size.extendsRims ? 0.0 : noise, runTasks, progress);
   for (Index & point : result.finePoint)
   {
     point = coarse.finePoint[origins[point]];

@@ -4,7 +4,7 @@
 #define itkMedialVoxelRemeshedSheet_h
 
 #include "itkMedialVoxelElementSize.h"
-#include "itkMedialVoxelSheet.h"
+#include "itkMedialVoxelSheetDivision.h"
 #include "itkMedialVoxelShellElements.h"
 
 #include <functional>
@@ -53,11 +53,13 @@ MedialVoxelRemeshingBytesPerTriangle();
 
 /** A coarse sheet of the same points, whose rims are extended if that is asked for, and elements that are made of it.
  * \param sheet    without triangles of one place; its points are those of its triangles
- * \param progress called often with the share that is done; may throw to stop */
+ * \param progress called often with the share that is done; may throw to stop
+ * \param runTasks does parts of the work, which are the same for any order */
 MedialVoxelRemeshedSheet
 MedialVoxelRemesh(MedialVoxelSheet                    sheet,
                   const MedialVoxelElementSize &      size,
-                  const std::function<void(double)> & progress);
+                  const std::function<void(double)> & progress,
+                  const MedialVoxelRunTasks &         runTasks = MedialVoxelRunInOrder);
 
 } // end namespace itk
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace itk
 {
@@ -34,8 +35,9 @@ constexpr double CosineOfBend = 0.87;
 
 constexpr double GoodQuality = 0.3;
 
-/** Rounds of all steps, of repairs, and of cleaning. */
-constexpr unsigned int RoundsOfSteps = 4;
+/** Rounds of all steps in parts and in the whole, of repairs, and of cleaning. */
+constexpr unsigned int RoundsOfPart = 4;
+constexpr unsigned int RoundsOfWhole = 2;
 constexpr unsigned int RoundsOfRepair = 4;
 constexpr unsigned int RoundsOfCleaning = 3;
 constexpr unsigned int RoundsOfPass = 2;
@@ -45,43 +47,115 @@ constexpr double ShareOfSteps = 0.8;
 
 } // namespace
 
-MedialVoxelRemesher::MedialVoxelRemesher(MedialVoxelFineSheet &      fine,
-                                         const double                noise,
-                                         std::function<void(double)> progress)
+MedialVoxelRemesher::MedialVoxelRemesher(MedialVoxelFineSheet &     fine,
+                                         const double               noise,
+                                         const std::vector<Index> & triangles,
+                                         const std::vector<bool> &  isShared)
   : m_Fine(fine)
-  , m_Progress(std::move(progress))
-  , m_Witnesses(fine.GetSheet())
+  , m_Witnesses(m_Given)
   , m_Noise(noise)
 {
   const MedialVoxelSheet & sheet = fine.GetSheet();
-  for (Index point = 0; point < sheet.points.size(); ++point)
+  for (const Index triangle : triangles)
   {
-    m_Complex.AddVertex(sheet.points[point]);
-    m_Complex.GetVertex(point).size = fine.GetSize(point);
+    m_Numbers.insert(m_Numbers.end(), sheet.triangles[triangle].begin(), sheet.triangles[triangle].end());
   }
-  for (Index triangle = 0; triangle < sheet.triangles.size(); ++triangle)
+  std::sort(m_Numbers.begin(), m_Numbers.end());
+  m_Numbers.erase(std::unique(m_Numbers.begin(), m_Numbers.end()), m_Numbers.end());
+  for (const Index number : m_Numbers)
   {
-    m_Complex.AddTriangle(sheet.triangles[triangle], fine.GetWall(triangle));
+    m_Given.push_back(sheet.points[number]);
+    Complex::Vertex & vertex = m_Complex.GetVertex(m_Complex.AddVertex(sheet.points[number]));
+    vertex.size = fine.GetSize(number);
+    vertex.isShared = isShared[number];
+    m_HasShared = m_HasShared || isShared[number];
+  }
+  m_Witnesses = MedialVoxelSheetWitnesses(m_Given);
+  std::vector<bool> isKept(m_Given.size());
+  for (const Index triangle : triangles)
+  {
+    Triangle corners = sheet.triangles[triangle];
+    for (Index & corner : corners)
+    {
+      corner = static_cast<Index>(std::lower_bound(m_Numbers.begin(), m_Numbers.end(), corner) - m_Numbers.begin());
+    }
+    const Index number = m_Complex.AddTriangle(corners, fine.GetWall(triangle));
+    for (const Index corner : corners)
+    {
+      if (!isKept[corner])
+      {
+        isKept[corner] = true;
+        m_Witnesses.Add(corner, number);
+      }
+    }
+  }
+}
+
+MedialVoxelRemesher::MedialVoxelRemesher(MedialVoxelFineSheet & fine, const double noise, const Parts & parts)
+  : m_Fine(fine)
+  , m_Given(fine.GetSheet().points)
+  , m_Numbers(m_Given.size())
+  , m_Witnesses(m_Given)
+  , m_Noise(noise)
+{
+  std::iota(m_Numbers.begin(), m_Numbers.end(), Index{ 0 });
+  for (Index point = 0; point < m_Given.size(); ++point)
+  {
+    m_Complex.GetVertex(m_Complex.AddVertex(m_Given[point])).size = fine.GetSize(point);
+  }
+  std::vector<bool>  isKept(m_Given.size());
+  std::vector<Index> points;
+  for (const auto & part : parts)
+  {
+    std::vector<Index> numbers = part->m_Numbers;
+    for (Index vertex = 0; vertex < part->m_Complex.GetNumberOfVertices(); ++vertex)
+    {
+      if (vertex >= numbers.size())
+      {
+        numbers.push_back(m_Complex.AddVertex({}));
+      }
+      m_Complex.GetVertex(numbers[vertex]) = part->m_Complex.GetVertex(vertex);
+      m_Complex.GetVertex(numbers[vertex]).isShared = false;
+    }
+    for (Index triangle = 0; triangle < part->m_Complex.GetNumberOfTriangles(); ++triangle)
+    {
+      if (!part->m_Complex.IsTriangle(triangle))
+      {
+        continue;
+      }
+      Triangle corners = part->m_Complex.GetTriangle(triangle);
+      std::transform(corners.begin(), corners.end(), corners.begin(), [&](const Index corner) { return numbers[corner]; });
+      if (m_Complex.HasTriangle(corners))
+      {
+        continue; // another part has made it, too
+      }
+      const Index number = m_Complex.AddTriangle(corners, part->m_Complex.GetWall(triangle));
+      points.clear();
+      part->m_Witnesses.AppendPoints(triangle, points);
+      for (const Index point : points)
+      {
+        if (!isKept[numbers[point]])
+        {
+          isKept[numbers[point]] = true;
+          m_Witnesses.Add(numbers[point], number);
+        }
+      }
+    }
   }
 }
 
 void
-MedialVoxelRemesher::Run()
+MedialVoxelRemesher::RunPart(std::function<void(double)> progress)
 {
-  for (unsigned int round = 0; round < RoundsOfSteps; ++round)
-  {
-    this->SplitLongSides();
-    this->CollapseShortSides(round > 0);
-    this->FlipSides();
-    this->MoveVertices();
-    if (round == 0)
-    {
-      this->RaiseSizesAtBends();
-    }
-    this->FlipSides();
-    this->MoveVertices();
-    m_Share = ShareOfSteps * (round + 1) / RoundsOfSteps;
-  }
+  m_Progress = std::move(progress);
+  this->RunSteps(RoundsOfPart, false);
+}
+
+void
+MedialVoxelRemesher::RunWhole(std::function<void(double)> progress)
+{
+  m_Progress = std::move(progress);
+  this->RunSteps(RoundsOfWhole, true);
   for (unsigned int round = 0; round < RoundsOfRepair; ++round)
   {
     this->RepairTriangles();
@@ -97,6 +171,25 @@ MedialVoxelRemesher::Run()
       this->MoveVertices();
       this->FlipSides();
     }
+  }
+}
+
+void
+MedialVoxelRemesher::RunSteps(const unsigned int rounds, const bool isWhole)
+{
+  for (unsigned int round = 0; round < rounds; ++round)
+  {
+    this->SplitLongSides();
+    this->CollapseShortSides(isWhole || round > 0);
+    this->FlipSides();
+    this->MoveVertices();
+    if (isWhole && round == 0)
+    {
+      this->RaiseSizesAtBends();
+    }
+    this->FlipSides();
+    this->MoveVertices();
+    m_Share = ShareOfSteps * (round + 1) / rounds;
   }
 }
 
@@ -151,6 +244,28 @@ MedialVoxelRemesher::ListSides() const
   return sides;
 }
 
+/** Whether a side is not to be cut: one between shared points, and one beside a longer one that is not cut, as its
+ * triangle would have a long side however often the others are cut. */
+bool
+MedialVoxelRemesher::IsStuck(const Index a, const Index b) const
+{
+  if (!m_HasShared)
+  {
+    return false;
+  }
+  if (m_Complex.IsShared(a) && m_Complex.IsShared(b))
+  {
+    return true;
+  }
+  const double           length = this->GetLength(a, b);
+  const Complex::Indices triangles = m_Complex.FindTriangles(a, b);
+  return std::any_of(triangles.begin(), triangles.end(), [&](const Index triangle) {
+    const Index corner = m_Complex.GetOpposite(triangle, a, b);
+    return (this->GetLength(a, corner) > length && this->IsStuck(a, corner)) ||
+           (this->GetLength(b, corner) > length && this->IsStuck(b, corner));
+  });
+}
+
 /** Longest first, until none is left. */
 void
 MedialVoxelRemesher::SplitLongSides()
@@ -163,7 +278,7 @@ MedialVoxelRemesher::SplitLongSides()
     std::stable_sort(sides.begin(), sides.end(), [](const auto & x, const auto & y) { return x.length > y.length; });
     for (const LengthOfSide & side : sides)
     {
-      if (side.length <= Long * this->GetSize(side.a, side.b))
+      if (side.length <= Long * this->GetSize(side.a, side.b) || this->IsStuck(side.a, side.b))
       {
         continue;
       }
@@ -258,6 +373,7 @@ MedialVoxelRemesher::RaiseSizesAtBends()
       m_Witnesses.AppendPoints(triangles[1], points);
     }
   }
+  std::transform(points.begin(), points.end(), points.begin(), [this](const Index point) { return m_Numbers[point]; });
   m_Fine.RaiseSizes(points);
 }
 

@@ -8,6 +8,7 @@
 #include "itkMedialVoxelTriangleComplex.h"
 
 #include <functional>
+#include <memory>
 
 namespace itk
 {
@@ -30,13 +31,33 @@ public:
   using Triangle = Complex::Triangle;
   using Point = Complex::Point;
 
-  /** \param fine     with its sizes set; it stays as long as this
-   * \param noise    by how much the fine sheet may be off anywhere: steps keep this distance to it at least
-   * \param progress called often with the share that is done; may throw to stop */
-  MedialVoxelRemesher(MedialVoxelFineSheet & fine, double noise, std::function<void(double)> progress);
+  using Parts = std::vector<std::unique_ptr<MedialVoxelRemesher>>;
 
+  /** Of a part of the fine sheet.
+   * \param fine      stays as long as this
+   * \param noise     by how much the fine sheet may be off anywhere: steps keep this distance to it at least
+   * \param triangles of the part
+   * \param isShared  of each point of the fine sheet, whether it stays where it is, as other parts have it, too */
+  MedialVoxelRemesher(MedialVoxelFineSheet &     fine,
+                      double                     noise,
+                      const std::vector<Index> & triangles,
+                      const std::vector<bool> &  isShared);
+
+  /** Of the whole, whose parts are done apart. */
+  MedialVoxelRemesher(MedialVoxelFineSheet & fine, double noise, const Parts & parts);
+
+  MedialVoxelRemesher(const MedialVoxelRemesher &) = delete;
+  MedialVoxelRemesher &
+  operator=(const MedialVoxelRemesher &) = delete;
+
+  /** Brings the sides of a part to their sizes.
+   * \param progress called often with the share that is done; may throw to stop */
   void
-  Run();
+  RunPart(std::function<void(double)> progress);
+
+  /** Brings the sides that parts share to their sizes, and rids the sheet of triangles of bad shape. */
+  void
+  RunWhole(std::function<void(double)> progress);
 
   const Complex &
   GetComplex() const
@@ -161,6 +182,10 @@ private:
   std::vector<Index>
   Apply(const Step & step);
 
+  void
+  RunSteps(unsigned int rounds, bool isWhole);
+  bool
+  IsStuck(Index a, Index b) const;
   bool
   MayLeave(Index from, Index to, bool merging) const;
   bool
@@ -212,9 +237,12 @@ private:
 
   MedialVoxelFineSheet &      m_Fine;
   std::function<void(double)> m_Progress;
+  std::vector<Point>          m_Given;   ///< points of the fine sheet
+  std::vector<Index>          m_Numbers; ///< of these in the fine sheet
   Complex                     m_Complex;
   MedialVoxelSheetWitnesses   m_Witnesses;
   double                      m_Noise;
+  bool                        m_HasShared{ false };
   std::uint64_t               m_HolesClosed{ 0 };
   std::uint64_t               m_LeftOut{ 0 };
   std::uint64_t               m_Steps{ 0 };

@@ -3,6 +3,7 @@
 #include "SheetRemeshing.h"
 
 #include "Errors.h"
+#include "OrderedWork.h"
 #include "RimRays.h"
 #include "SheetCoarsening.h"
 #include "MeshFormat.h"
@@ -116,6 +117,25 @@ GetArea(const itk::MedialVoxelRemeshedSheet & sheet, const itk::MedialVoxelShell
   return area;
 }
 
+/** Runs tasks in threads. */
+itk::MedialVoxelRunTasks
+MakeRunner(const SheetRemeshing & settings)
+{
+  return [&settings](const std::size_t count, const itk::MedialVoxelTask & task) {
+    struct Nothing
+    {};
+    OrderedWork<Nothing>::Run(
+      count,
+      settings.threads,
+      [&task](const std::uint64_t number, const std::function<void()> & check) {
+        task(number, check);
+        return Nothing{};
+      },
+      [](std::uint64_t, Nothing &&) {},
+      [&settings] { settings.progress(0.0); });
+  };
+}
+
 /** Points in the order of their objects; the place of each in \a places. */
 void
 AddVertices(const itk::MedialVoxelRemeshedSheet & sheet,
@@ -205,7 +225,7 @@ RemeshSheet(std::unique_ptr<MeshSpool>         surface,
   CheckMemory(*coarse, remeshing.memoryLimit);
   std::vector<std::uint32_t> objects;
   MeshReader                 reader(*coarse, remeshing.progress);
-  auto                       sheet = itk::MedialVoxelRemesh(ReadSheet(reader, objects), settings.size, remeshing.progress);
+  auto sheet = itk::MedialVoxelRemesh(ReadSheet(reader, objects), settings.size, remeshing.progress, MakeRunner(settings));
   auto                       result = std::make_unique<MeshSpool>(remeshing.scratchFolder, coarse->GetPrecision());
   std::vector<Index>         places;
   fine.MeasureDistances(sheet, sheet.summary);
