@@ -61,22 +61,11 @@ private:
 
   struct Window;
 
-  /** xx, xy, xz, yy, yz, zz of a tensor, and the sums of each at the places of the rows of a block; in double
-   * precision, as values may be in any unit. */
+  /** xx, xy, xz, yy, yz, zz of a tensor. */
   using Components = std::array<double, 6>;
-  using RowSums = std::array<std::array<double, Extent>, 6>;
 
   Components
   GetTensor(const MedialVoxelGray & gray, const Window & window);
-
-  static void
-  AddBlock(const Block & block, const MedialVoxelIndex & origin, const Window & window, RowSums & sums);
-
-  static void
-  AddRow(const std::array<const float *, 3> & row,
-         const std::array<bool, Extent> &     isInside,
-         double                               weight,
-         RowSums &                            sums);
 
   /** The block with an index, in blocks, that knows the gradients of a box as far as that is in the block. */
   const Block &
