@@ -195,8 +195,9 @@ MakeElements(MedialVoxelSheet                    sheet,
 std::uint64_t
 MedialVoxelRemeshingBytesPerTriangle()
 {
+  constexpr std::uint64_t pointsOfParts = 32;
   return MedialVoxelFineSheet::BytesPerTriangle + MedialVoxelTriangleComplex::BytesPerTriangle +
-         MedialVoxelSheetWitnesses::BytesPerTriangle;
+         MedialVoxelSheetWitnesses::BytesPerTriangle + pointsOfParts;
 }
 
 MedialVoxelRemeshedSheet

@@ -189,6 +189,27 @@ TEST(MedialVoxelRemeshedSheet, RepeatsItself)
   EXPECT_EQ(FacesOf(first).faces, FacesOf(second).faces);
 }
 
+TEST(MedialVoxelRemeshedSheet, OrderOfPartsDoesNotMatter)
+{
+  const itk::MedialVoxelSheet       sheet = FlatSquare(140, 4.0f);
+  const itk::MedialVoxelElementSize size{ 5.0, false, true };
+  const auto                        first = Remesh(sheet, size);
+  std::size_t                       parts = 0;
+  const auto                        second =
+    itk::MedialVoxelRemesh(sheet, size, {}, [&](const std::size_t count, const itk::MedialVoxelTask & task) {
+      for (parts = 0; parts < count; ++parts)
+      {
+        task(count - 1 - parts, [] {});
+      }
+    });
+  EXPECT_GT(parts, 2u);
+  EXPECT_EQ(first.points, second.points);
+  EXPECT_EQ(FacesOf(first).faces, FacesOf(second).faces);
+  ExpectSound(first);
+  ExpectGoodShapes(FacesOf(first));
+  EXPECT_NEAR(FacesOf(first).GetArea(), 140.0 * 140.0, 20.0);
+}
+
 TEST(MedialVoxelRemeshedSheet, SmallHolesAreClosedAndLargeOnesStay)
 {
   for (const double radius : { 1.0, 14.0 })
