@@ -97,9 +97,8 @@ TEST(MeshPartition, PartsAreSmall)
   MeshReader              reader(*surface, {});
   const MeshPartition     partition(reader, 10000);
   std::map<unsigned, int> faces;
-  reader.ForEachFace([&](std::uint64_t, const MeshFace & face) {
-    ++faces[partition.GetPart(reader.GetVertex(face.vertices[0]))];
-  });
+  reader.ForEachFace(
+    [&](std::uint64_t, const MeshFace & face) { ++faces[partition.GetPart(reader.GetVertex(face.vertices[0]))]; });
   EXPECT_EQ(faces.size(), partition.GetNumberOfParts());
   EXPECT_GE(faces.size(), 16u);
   EXPECT_LE(faces.size(), 32u);

@@ -62,9 +62,7 @@ StartWithLowest(MedialVoxelShellElement & element)
 /** Gives the points of the complex that are in use to the result, by their places, and numbers the elements' corners
  * anew. */
 void
-PutInOrder(const MedialVoxelFineSheet & fine,
-           const Complex &              complex,
-           MedialVoxelRemeshedSheet &   result)
+PutInOrder(const MedialVoxelFineSheet & fine, const Complex & complex, MedialVoxelRemeshedSheet & result)
 {
   std::vector<Index> order;
   for (Index vertex = 0; vertex < complex.GetNumberOfVertices(); ++vertex)

@@ -85,7 +85,8 @@ MedialVoxelRemesher::MedialVoxelRemesher(MedialVoxelFineSheet & fine, const doub
         continue;
       }
       Triangle corners = part->m_Complex.GetTriangle(triangle);
-      std::transform(corners.begin(), corners.end(), corners.begin(), [&](const Index corner) { return numbers[corner]; });
+      std::transform(
+        corners.begin(), corners.end(), corners.begin(), [&](const Index corner) { return numbers[corner]; });
       if (m_Complex.HasTriangle(corners))
       {
         continue; // another part has made it, too

@@ -18,6 +18,9 @@ using Place = MedialVoxelTriangleComplex::Place;
 constexpr double WantedQuality = 0.45;
 constexpr double LeastGain = 0.02;
 
+/** Of a side: how far a vertex is moved along it. */
+constexpr double ShiftOfSide = 0.15;
+
 } // namespace
 
 /** Worst first. */
@@ -86,11 +89,11 @@ MedialVoxelRemesher::TryShift(const Index vertex)
   const Point point = m_Complex.GetPoint(vertex);
   for (const Index other : this->FindLineNeighbors(vertex, kind))
   {
-    for (const double share : { 0.15, -0.15 })
+    for (const double share : { ShiftOfSide, -ShiftOfSide })
     {
-      const Point place =
-        MedialVoxelAddScaled(point, MedialVoxelSubtract(m_Complex.GetPoint(other), point), share);
-      if (this->TryMoveTo(vertex, this->Project(vertex, kind, place), { this->GetTolerance(vertex), 0.5, WantedQuality, LeastGain }))
+      const Point place = MedialVoxelAddScaled(point, MedialVoxelSubtract(m_Complex.GetPoint(other), point), share);
+      if (this->TryMoveTo(
+            vertex, this->Project(vertex, kind, place), { this->GetTolerance(vertex), 0.5, WantedQuality, LeastGain }))
       {
         return true;
       }

@@ -29,6 +29,9 @@ constexpr double ToleranceOfLine = 2.0;
 constexpr double CosineOfTurn = 0.5;
 constexpr double LeastQuality = 0.3;
 
+/** A vertex whose cost has grown by more since it was queued waits again. */
+constexpr double MostGrowth = 1.1;
+
 /** Above all costs that are. */
 constexpr double NotAllowed = 2.0;
 
@@ -105,7 +108,7 @@ MedialVoxelSheetDecimation::Run()
     m_IsQueued[entry.vertex] = false;
     const Complex::Neighbors neighbors = m_Complex.FindNeighbors(entry.vertex);
     const Candidates         candidates = this->ListCandidates(entry.vertex, neighbors);
-    if (candidates.size() > 0 && candidates[0].cost > 1.1 * entry.cost)
+    if (candidates.size() > 0 && candidates[0].cost > MostGrowth * entry.cost)
     {
       m_Queue.push({ candidates[0].cost, entry.vertex });
       m_IsQueued[entry.vertex] = true;
@@ -174,9 +177,9 @@ MedialVoxelSheetDecimation::ListCandidates(const Index vertex, const Complex::Ne
       (neighbor.triangles == 1 ? rims : junctions).push_back(neighbor.vertex);
     }
   }
-  Candidates  candidates;
+  Candidates   candidates;
   const auto & line = rims.size() > 0 ? rims : junctions;
-  const auto  add = [&](const Index other, const double lineError) {
+  const auto   add = [&](const Index other, const double lineError) {
     if (this->GetLength(vertex, other) < Short * this->GetSize(vertex, other))
     {
       const double cost = this->GetCost(vertex, other, lineError);
@@ -201,7 +204,8 @@ MedialVoxelSheetDecimation::ListCandidates(const Index vertex, const Complex::Ne
   return candidates;
 }
 
-/** How far the line of a vertex is from points that went, at the least, when it goes from \a to straight to \a other. */
+/** How far the line of a vertex is from points that went, at the least, when it goes from \a to straight to \a other.
+ */
 double
 MedialVoxelSheetDecimation::GetLineError(const Index vertex, const Index to, const Index other) const
 {

@@ -14,11 +14,11 @@ using Index = MedialVoxelSheet::Index;
 
 /** Appends the parts of a range of triangles. */
 void
-Divide(const std::vector<MedialVoxelVector3> &  centers,
-       const std::vector<Index>::iterator       begin,
-       const std::vector<Index>::iterator       end,
-       const std::size_t                        most,
-       std::vector<std::vector<Index>> &        parts)
+Divide(const std::vector<MedialVoxelVector3> & centers,
+       const std::vector<Index>::iterator      begin,
+       const std::vector<Index>::iterator      end,
+       const std::size_t                       most,
+       std::vector<std::vector<Index>> &       parts)
 {
   const auto count = static_cast<std::size_t>(end - begin);
   if (count <= most)

@@ -223,9 +223,10 @@ SinesOf(const Faces & faces)
 }
 /** A square of squares of the length 1; those whose corner is given as outside are left out. */
 inline itk::MedialVoxelSheet
-FlatSquare(const int                                     n,
-           const float                                   thickness,
-           const std::function<bool(int x, int y)> &     isInside = [](int, int) { return true; })
+FlatSquare(
+  const int                                 n,
+  const float                               thickness,
+  const std::function<bool(int x, int y)> & isInside = [](int, int) { return true; })
 {
   itk::MedialVoxelSheet sheet;
   for (int y = 0; y <= n; ++y)

@@ -215,8 +215,8 @@ TEST(MedialVoxelRemeshedSheet, SmallHolesAreClosedAndLargeOnesStay)
   for (const double radius : { 1.0, 14.0 })
   {
     // A square with a hole, with elements as long as its wall is thick.
-    const itk::MedialVoxelSheet sheet = FlatSquare(
-      50, 4.0f, [&](int x, int y) { return std::hypot(x - 24.5, y - 24.5) > radius; });
+    const itk::MedialVoxelSheet sheet =
+      FlatSquare(50, 4.0f, [&](int x, int y) { return std::hypot(x - 24.5, y - 24.5) > radius; });
     const auto result = Remesh(sheet, { 3.0, true, true });
     EXPECT_EQ(result.summary.holesClosed, radius < 2 ? 1u : 0u);
     EXPECT_EQ(FacesOf(result).GetEulerNumber(), radius < 2 ? 1 : 0);

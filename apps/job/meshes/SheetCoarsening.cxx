@@ -172,13 +172,12 @@ SheetCoarsening::Coarsen() const
   result->PutVertices(0, vertices);
 
   const auto make = [&](const std::uint64_t number, const Check & check) {
-    Coarsened         coarsened{ {}, this->ReadPart(number) };
-    Part &            fine = coarsened.fine;
+    Coarsened coarsened{ {}, this->ReadPart(number) };
+    Part &    fine = coarsened.fine;
     fine.sheet.RemoveDuplicates();
     std::vector<bool> shared(fine.numbers.size());
     std::transform(fine.numbers.begin(), fine.numbers.end(), shared.begin(), isShared);
-    coarsened.part =
-      itk::MedialVoxelCoarsenPart(std::move(fine.sheet), shared, m_Remeshing.size, ToProgress(check));
+    coarsened.part = itk::MedialVoxelCoarsenPart(std::move(fine.sheet), shared, m_Remeshing.size, ToProgress(check));
     return coarsened;
   };
   const auto take = [&](std::uint64_t, Coarsened && coarsened) {

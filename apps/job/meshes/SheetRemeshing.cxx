@@ -225,9 +225,10 @@ RemeshSheet(std::unique_ptr<MeshSpool>         surface,
   CheckMemory(*coarse, remeshing.memoryLimit);
   std::vector<std::uint32_t> objects;
   MeshReader                 reader(*coarse, remeshing.progress);
-  auto sheet = itk::MedialVoxelRemesh(ReadSheet(reader, objects), settings.size, remeshing.progress, MakeRunner(settings));
-  auto                       result = std::make_unique<MeshSpool>(remeshing.scratchFolder, coarse->GetPrecision());
-  std::vector<Index>         places;
+  auto                       sheet =
+    itk::MedialVoxelRemesh(ReadSheet(reader, objects), settings.size, remeshing.progress, MakeRunner(settings));
+  auto               result = std::make_unique<MeshSpool>(remeshing.scratchFolder, coarse->GetPrecision());
+  std::vector<Index> places;
   fine.MeasureDistances(sheet, sheet.summary);
   sheet.summary.fineArea = area;
   AddVertices(sheet, objects, places, *result);
