@@ -16,11 +16,10 @@ namespace itk
 /** \class MedialVoxelRemesher
  * \brief Makes elements of good shape of a coarse sheet, whose sides have the sizes of that.
  *
- * Long sides are cut, short ones are collapsed, sides are flipped and
- * vertices are moved along the fine sheet. Rims stay on rims and junctions on junctions. No step may leave a point of
- * the fine sheet, or the middle of a triangle, farther away than 0.15 of the size there (or half a fine side,
- * where that is more). Walls that are narrower than half an element, and bounded by a junction, are closed; others keep
- * their width.
+ * Long sides are cut, short ones are collapsed, sides are flipped and vertices are moved along that sheet, in parts
+ * first. Rims stay on rims and junctions on junctions. No such step may leave a point of that sheet, or the middle of a
+ * triangle, farther away than 0.08 of the size there (or half a fine side, where that is more); repairs may by half the
+ * size. Walls that are narrower than half an element, and bounded by a junction, are closed; others keep their width.
  * \ingroup MedialVoxel
  */
 class MedialVoxelRemesher
