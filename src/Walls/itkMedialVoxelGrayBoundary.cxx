@@ -59,9 +59,8 @@ struct MedialVoxelGrayBoundary::Field
     PositionType share;
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
-      const double floor = std::floor(position[axis]);
-      const auto   index = static_cast<std::int64_t>(floor);
-      share[axis] = position[axis] - floor;
+      const std::int64_t index = MedialVoxelFloor(position[axis]);
+      share[axis] = position[axis] - static_cast<double>(index);
       below[axis] = this->GetOffset(axis, index);
       above[axis] = share[axis] > 0.0 ? this->GetOffset(axis, index + 1) : below[axis];
     }
@@ -85,12 +84,12 @@ struct MedialVoxelGrayBoundary::Field
     PositionType           share;
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
-      const double floor = std::floor(position[axis]);
-      share[axis] = position[axis] - floor;
+      const std::int64_t floor = MedialVoxelFloor(position[axis]);
+      share[axis] = position[axis] - static_cast<double>(floor);
       for (std::int64_t i = 0; i < 4; ++i)
       {
         const std::int64_t step = std::clamp(i - 1, -margin[axis], margin[axis] + (share[axis] > 0.0 ? 1 : 0));
-        offsets[axis][i] = this->GetOffset(axis, static_cast<std::int64_t>(floor) + step);
+        offsets[axis][i] = this->GetOffset(axis, floor + step);
       }
     }
     // Values between voxels, along one axis after the other.
@@ -152,8 +151,7 @@ struct MedialVoxelGrayBoundary::Field
     {
       const double last = static_cast<double>(grid.GetSize()[axis] - 1);
       const double inImage = std::clamp(position[axis], 0.0, last);
-      if (!(std::floor(inImage) >= static_cast<double>(box.lower[axis]) &&
-            std::ceil(inImage) <= static_cast<double>(box.upper[axis] - 1)))
+      if (!(inImage >= static_cast<double>(box.lower[axis]) && inImage <= static_cast<double>(box.upper[axis] - 1)))
       {
         return false;
       }
@@ -173,12 +171,13 @@ struct MedialVoxelGrayBoundary::Field
     {
       return false;
     }
-    double    here = this->At(start);
-    const int direction = here < 0.0 ? 1 : -1;
+    double     here = this->At(start);
+    const int  direction = here < 0.0 ? 1 : -1;
+    const bool reachesAll = this->Reaches(Along(start, line, (direction > 0 ? last : first) * step));
     for (int i = direction; i >= first && i <= last; i += direction)
     {
       const PositionType position = Along(start, line, i * step);
-      if (!this->Reaches(position))
+      if (!reachesAll && !this->Reaches(position))
       {
         return false;
       }

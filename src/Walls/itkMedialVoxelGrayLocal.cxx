@@ -61,13 +61,13 @@ MedialVoxelGrayLocal::FindSamples(const MedialVoxelGray & gray,
   const double extentU = extentOf(u);
   const double extentV = extentOf(v);
   const double inverse = 1.0 / (Radius * Radius);
-  const auto   begin = static_cast<std::int64_t>(std::ceil(place[steepest] - slices));
-  const auto   end = static_cast<std::int64_t>(std::floor(place[steepest] + slices));
-  // Offsets of voxels, which beyond a face of the image are those of the outermost voxels.
+  const auto   begin = MedialVoxelCeil(place[steepest] - slices);
+  const auto   end = MedialVoxelFloor(place[steepest] + slices);
   const MedialVoxelBox &            box = gray.GetBox();
   const float * const               values = gray.GetRow(box.lower[1], box.lower[2]);
   const std::array<std::int64_t, 3> pitches{ { 1, box.Extent(0), box.Extent(0) * box.Extent(1) } };
-  const auto                        offsetOf = [&](const unsigned int axis, const std::int64_t voxel) {
+  // The offset of a voxel along an axis, which beyond a face of the image is that of the outermost voxel.
+  const auto offsetOf = [&](const unsigned int axis, const std::int64_t voxel) {
     return (std::clamp<std::int64_t>(voxel, 0, m_Grid.GetSize()[axis] - 1) - box.lower[axis]) * pitches[axis];
   };
   Vector d{};
@@ -77,22 +77,24 @@ MedialVoxelGrayLocal::FindSamples(const MedialVoxelGray & gray,
     const double times = d[steepest] / direction[steepest];
     const double centerU = place[u] + times * direction[u];
     const double centerV = place[v] + times * direction[v];
-    const auto   beginU = static_cast<std::int64_t>(std::ceil(centerU - extentU));
-    const auto   endU = static_cast<std::int64_t>(std::floor(centerU + extentU));
-    const auto   endV = static_cast<std::int64_t>(std::floor(centerV + extentV));
-    for (auto k = static_cast<std::int64_t>(std::ceil(centerV - extentV)); k <= endV; ++k)
+    const auto   beginU = MedialVoxelCeil(centerU - extentU);
+    const auto   endU = MedialVoxelFloor(centerU + extentU);
+    const auto   endV = MedialVoxelFloor(centerV + extentV);
+    for (auto k = MedialVoxelCeil(centerV - extentV); k <= endV; ++k)
     {
       d[v] = static_cast<double>(k) - place[v];
       const float * const row = values + (offsetOf(steepest, w) + offsetOf(v, k));
       const double        alongRow = d[steepest] * direction[steepest] + d[v] * direction[v];
       const double        squaredRow = d[steepest] * d[steepest] + d[v] * d[v];
       samples.Reserve(static_cast<std::size_t>(std::max<std::int64_t>(0, endU - beginU + 1)) + 1);
+      const bool isInside = beginU >= 0 && endU < m_Grid.GetSize()[u];
       for (std::int64_t i = beginU; i <= endU; ++i)
       {
+        const std::int64_t offset = isInside ? (i - box.lower[u]) * pitches[u] : offsetOf(u, i);
         d[u] = static_cast<double>(i) - place[u];
         const double along = alongRow + d[u] * direction[u];
         const double weight = 1.0 - ((squaredRow + d[u] * d[u]) - along * along) * inverse;
-        const double value = (static_cast<double>(row[offsetOf(u, i)]) - m_Background) * m_Scale;
+        const double value = (static_cast<double>(row[offset]) - m_Background) * m_Scale;
         samples.Put(along, weight, value, weight > 0.0 && std::abs(along) <= reach);
       }
     }

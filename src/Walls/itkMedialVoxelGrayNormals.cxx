@@ -193,28 +193,8 @@ AddRows(const Rows & rows, const MedialVoxelIntegerLanes & isInside, RowSums & s
 /** The voxels around a place that count, and their weights along each axis. */
 struct MedialVoxelGrayNormals::Window
 {
-  MedialVoxelBox                                         box;
-  std::array<std::array<float, 2 * WindowReach + 1>, 3> weights{};
-
-  Window(const MedialVoxelGrid & grid, const Vector & place)
-  {
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      if (!grid.IsActive(axis))
-      {
-        box.upper[axis] = 1;
-        weights[axis][0] = 1.0F;
-        continue;
-      }
-      box.lower[axis] = static_cast<std::int64_t>(std::ceil(place[axis] - WindowReach));
-      box.upper[axis] = static_cast<std::int64_t>(std::floor(place[axis] + WindowReach)) + 1;
-      for (std::int64_t i = 0; i < box.Extent(axis); ++i)
-      {
-        weights[axis][static_cast<std::size_t>(i)] =
-          GetWindowWeight(static_cast<double>(box.lower[axis] + i) - place[axis]);
-      }
-    }
-  }
+  MedialVoxelBox  box;
+  const Weights & weights;
 
   bool
   HasInside(const unsigned int axis, const std::int64_t voxel) const
@@ -287,6 +267,8 @@ MedialVoxelGrayNormals::Compute(const MedialVoxelGray & gray, const MedialVoxelI
   std::array<float, Outer * Outer * Outer> values;
   float *                                  value = values.data();
   const std::int64_t                       beginX = gray.GetBox().lower[0];
+  const std::int64_t                       firstX = origin[0] - Margin - beginX;
+  const bool isInside = firstX >= 0 && firstX + static_cast<std::int64_t>(Outer) <= gray.GetBox().Extent(0);
   for (std::size_t z = 0; z < Outer; ++z)
   {
     for (std::size_t y = 0; y < Outer; ++y)
@@ -294,9 +276,13 @@ MedialVoxelGrayNormals::Compute(const MedialVoxelGray & gray, const MedialVoxelI
       const float * const row = gray.GetRow(places[y][1], places[z][2]);
       for (std::size_t x = 0; x < Outer; ++x)
       {
-        const auto own = static_cast<double>(row[places[x][0] - beginX]);
-        *value++ = static_cast<float>((own - m_Background) * m_Scale);
+        value[x] = isInside ? row[firstX + static_cast<std::int64_t>(x)] : row[places[x][0] - beginX];
       }
+      for (std::size_t x = 0; x < Outer; ++x)
+      {
+        value[x] = static_cast<float>((static_cast<double>(value[x]) - m_Background) * m_Scale);
+      }
+      value += Outer;
     }
   }
   FindGradients(values.data(), block.gradient[0].data(), block.gradient[1].data(), block.gradient[2].data());
@@ -367,10 +353,30 @@ MedialVoxelGrayNormals::GetTensor(const MedialVoxelGray & gray, const Window & w
   return tensor;
 }
 
+MedialVoxelBox
+MedialVoxelGrayNormals::MoveWindow(const Vector & place)
+{
+  MedialVoxelBox box;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const bool isActive = m_Grid.IsActive(axis);
+    box.lower[axis] = isActive ? MedialVoxelCeil(place[axis] - WindowReach) : 0;
+    box.upper[axis] = isActive ? MedialVoxelFloor(place[axis] + WindowReach) + 1 : 1;
+    // Windows around cells have the same weights.
+    const double first = isActive ? static_cast<double>(box.lower[axis]) - place[axis] : 0.0;
+    for (std::size_t i = 0; i < m_Weights[axis].size() && first != m_FirstDistances[axis]; ++i)
+    {
+      m_Weights[axis][i] = isActive ? GetWindowWeight(first + static_cast<double>(i)) : 1.0F;
+    }
+    m_FirstDistances[axis] = first;
+  }
+  return box;
+}
+
 bool
 MedialVoxelGrayNormals::Find(const MedialVoxelGray & gray, const Vector & place, Vector & normal)
 {
-  const auto [xx, xy, xz, yy, yz, zz] = this->GetTensor(gray, Window(m_Grid, place));
+  const auto [xx, xy, xz, yy, yz, zz] = this->GetTensor(gray, Window{ this->MoveWindow(place), m_Weights });
   const double trace = (xx + yy) + zz;
   if (!(trace > 0.0) || !std::isfinite(trace))
   {

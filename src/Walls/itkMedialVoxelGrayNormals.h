@@ -61,6 +61,13 @@ private:
 
   struct Window;
 
+  /** Of the voxels of a window along each axis. */
+  using Weights = std::array<std::array<float, 9>, 3>;
+
+  /** The window around a place; sets its weights. */
+  MedialVoxelBox
+  MoveWindow(const MedialVoxelVector3 & place);
+
   /** xx, xy, xz, yy, yz, zz of a tensor. */
   using Components = std::array<double, 6>;
 
@@ -78,6 +85,9 @@ private:
   double             m_Background;
   double             m_Scale; // to the contrast 1
   std::vector<Block> m_Blocks;
+
+  Weights               m_Weights{};
+  std::array<double, 3> m_FirstDistances{ { 1.0, 1.0, 1.0 } }; // that no window has
 };
 
 } // end namespace itk
