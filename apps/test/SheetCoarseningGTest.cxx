@@ -91,19 +91,14 @@ struct Content
   }
 };
 
-TEST(MeshPartition, PartsAreSmallAndHaveOtherBoundariesWhenShifted)
+TEST(MeshPartition, PartsAreSmall)
 {
   const auto              surface = MakeLargeStrip();
   MeshReader              reader(*surface, {});
-  const MeshPartition     partition(reader, 10000, 0.0);
-  const MeshPartition     shifted(reader, 10000, 0.5);
+  const MeshPartition     partition(reader, 10000);
   std::map<unsigned, int> faces;
-  std::size_t             differing = 0;
-  reader.ForEachFace([&](std::uint64_t, const MeshFace & face) {
-    const auto & vertex = reader.GetVertex(face.vertices[0]);
-    ++faces[partition.GetPart(vertex)];
-    differing += partition.GetPart(vertex) != shifted.GetPart(vertex) ? 1 : 0;
-  });
+  reader.ForEachFace(
+    [&](std::uint64_t, const MeshFace & face) { ++faces[partition.GetPart(reader.GetVertex(face.vertices[0]))]; });
   EXPECT_EQ(faces.size(), partition.GetNumberOfParts());
   EXPECT_GE(faces.size(), 16u);
   EXPECT_LE(faces.size(), 32u);
@@ -111,7 +106,6 @@ TEST(MeshPartition, PartsAreSmallAndHaveOtherBoundariesWhenShifted)
   {
     EXPECT_LE(number, 10000) << part;
   }
-  EXPECT_GT(differing, 0u);
 }
 
 TEST(MeshPartition, OnePlaceIsOnePart)
@@ -121,14 +115,14 @@ TEST(MeshPartition, OnePlaceIsOnePart)
   surface.AddVertices({ vertex, vertex, vertex });
   surface.AddFaces({ MakeFace({ 0, 1, 2 }), MakeFace({ 2, 1, 0 }) });
   MeshReader          reader(surface, {});
-  const MeshPartition partition(reader, 1, 0.5);
+  const MeshPartition partition(reader, 1);
   EXPECT_EQ(partition.GetNumberOfParts(), 1u);
 }
 
 TEST(SheetCoarsening, PartsMakeOneSurfaceWithFewerFaces)
 {
-  const SheetCoarsening coarsening(MakeLargeStrip(), MakeRemeshing(2), 0);
-  const auto            coarse = coarsening.Coarsen(3.0);
+  const SheetCoarsening coarsening(MakeLargeStrip(), MakeRemeshing(2));
+  const auto            coarse = coarsening.Coarsen();
   const Content         content(*coarse);
   EXPECT_LT(content.faces.size(), 80000u);
   EXPECT_NEAR(content.GetArea(), 160000.0, 4.0); // corners are cut by parts of triangles

@@ -5,11 +5,11 @@
 #include "itkMedialVoxelElementQuality.h"
 #include "itkMedialVoxelRemesher.h"
 #include "itkMedialVoxelSheetHoles.h"
+#include "itkMedialVoxelSheetPart.h"
 #include "itkMedialVoxelSheetVectors.h"
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <numeric>
 
 namespace itk
@@ -22,11 +22,8 @@ using Vector = MedialVoxelVector3;
 using Complex = MedialVoxelTriangleComplex;
 using Nearest = MedialVoxelSheetTree::Nearest;
 
-/** Of how far the fine sheet may be off: so long are sides at least before rims are extended. */
-constexpr double NoisesBefore = 4.0;
-
-/** Of the size, that sides have before rims are extended: about as long as what is added then. */
-constexpr double ShareBefore = 0.4;
+/** Triangles of a part at most, so that small sheets have parts for many threads. */
+constexpr std::size_t TrianglesOfPart = 2048;
 
 double
 GetArea(const std::array<Vector, 3> & corners)
@@ -62,28 +59,10 @@ StartWithLowest(MedialVoxelShellElement & element)
   element.junctionSides = rotate(element.junctionSides);
 }
 
-/** The given point of a triangle that is nearest to a place; lids of holes have a point that was not given. */
-Index
-FindGivenPoint(const MedialVoxelFineSheet & fine, const Nearest & nearest, const Index numberGiven)
-{
-  const MedialVoxelSheet & sheet = fine.GetSheet();
-  const auto &             corners = sheet.triangles[nearest.triangle];
-  return *std::min_element(corners.begin(), corners.end(), [&](const Index a, const Index b) {
-    const auto distance = [&](const Index point) {
-      return point < numberGiven ? MedialVoxelNorm(MedialVoxelSubtract(sheet.points[point], nearest.point))
-                                 : MedialVoxelSheetTree::Anywhere;
-    };
-    return distance(a) < distance(b);
-  });
-}
-
 /** Gives the points of the complex that are in use to the result, by their places, and numbers the elements' corners
  * anew. */
 void
-PutInOrder(const MedialVoxelFineSheet & fine,
-           const Complex &              complex,
-           const Index                  numberGiven,
-           MedialVoxelRemeshedSheet &   result)
+PutInOrder(const MedialVoxelFineSheet & fine, const Complex & complex, MedialVoxelRemeshedSheet & result)
 {
   std::vector<Index> order;
   for (Index vertex = 0; vertex < complex.GetNumberOfVertices(); ++vertex)
@@ -105,7 +84,7 @@ PutInOrder(const MedialVoxelFineSheet & fine,
     const Nearest nearest = FindOnFine(fine, complex, vertex);
     result.points.push_back(complex.GetPoint(vertex));
     result.thickness.push_back(fine.GetThickness(nearest.triangle, nearest.point));
-    result.finePoint.push_back(FindGivenPoint(fine, nearest, numberGiven));
+    result.finePoint.push_back(fine.GetNearestPoint(nearest.triangle, nearest.point));
   }
   for (MedialVoxelShellElement & element : result.elements)
   {
@@ -118,25 +97,27 @@ PutInOrder(const MedialVoxelFineSheet & fine,
   });
 }
 
-void
-MeasureAreasAndWalls(const MedialVoxelFineSheet & fine, const Complex & complex, MedialVoxelRemeshingSummary & summary)
+double
+GetArea(const Complex & complex)
 {
-  const MedialVoxelSheet & sheet = fine.GetSheet();
-  for (const auto & corners : sheet.triangles)
-  {
-    summary.fineArea += GetArea({ { sheet.points[corners[0]], sheet.points[corners[1]], sheet.points[corners[2]] } });
-  }
-  std::vector<bool> isLeft(fine.GetNumberOfWalls());
+  double area = 0.0;
   for (Index triangle = 0; triangle < complex.GetNumberOfTriangles(); ++triangle)
   {
-    if (complex.IsTriangle(triangle))
-    {
-      summary.area += GetArea(complex.GetCorners(triangle));
-      isLeft[complex.GetWall(triangle)] = true;
-    }
+    area += complex.IsTriangle(triangle) ? GetArea(complex.GetCorners(triangle)) : 0.0;
   }
-  summary.walls = isLeft.size();
-  summary.wallsLeftOut = static_cast<std::uint64_t>(std::count(isLeft.begin(), isLeft.end(), false));
+  return area;
+}
+
+double
+GetArea(const MedialVoxelSheet & sheet)
+{
+  double area = 0.0;
+  for (const auto & corners : sheet.triangles)
+  {
+    area += GetArea(
+      std::array<Vector, 3>{ { sheet.points[corners[0]], sheet.points[corners[1]], sheet.points[corners[2]] } });
+  }
+  return area;
 }
 
 /** Of the sides of triangles. */
@@ -154,109 +135,104 @@ GetMeanSide(const MedialVoxelSheet & sheet)
   return sheet.triangles.empty() ? 0.0 : sum / static_cast<double>(3 * sheet.triangles.size());
 }
 
+/** Closes holes; the point of a lid comes from one beside it.
+ * \return how many there were */
+std::uint64_t
+CloseHoles(MedialVoxelCoarsenedPart & coarse, const double least)
+{
+  const std::uint64_t holes = MedialVoxelCloseHoles(coarse.sheet, least);
+  const std::size_t   given = coarse.finePoint.size();
+  coarse.finePoint.resize(coarse.sheet.points.size());
+  for (const auto & corners : coarse.sheet.triangles)
+  {
+    for (const Index corner : corners)
+    {
+      if (corner >= given)
+      {
+        coarse.finePoint[corner] = coarse.finePoint[*std::min_element(corners.begin(), corners.end())];
+      }
+    }
+  }
+  return holes;
+}
+
+/** Elements of a sheet whose rims stay where they are. */
 MedialVoxelRemeshedSheet
-RemeshAsItIs(MedialVoxelSheet                    sheet,
+MakeElements(MedialVoxelSheet                    sheet,
              const MedialVoxelElementSize &      size,
-             const bool                          isStraight,
+             const double                        noise,
+             const MedialVoxelRunTasks &         runTasks,
              const std::function<void(double)> & progress)
 {
-  const auto           numberGiven = static_cast<Index>(sheet.points.size());
-  const std::uint64_t  holes = MedialVoxelCloseHoles(sheet, size.least);
-  MedialVoxelFineSheet fine(std::move(sheet));
-  fine.SetSizes(size.least, size.atThickness, size.shareOfThickness);
-  MedialVoxelRemesher remesher(fine, isStraight ? 0.0 : size.noise, progress);
-  remesher.Coarsen(MedialVoxelSheetTree::Anywhere);
-  remesher.Finish();
+  MedialVoxelFineSheet           fine(std::move(sheet), size);
+  const MedialVoxelSheetDivision division = MedialVoxelDivideSheet(fine.GetSheet(), TrianglesOfPart);
+  MedialVoxelRemesher::Parts     parts(division.parts.size());
+  runTasks(parts.size(), [&](const std::size_t number, const std::function<void()> & check) {
+    parts[number] = std::make_unique<MedialVoxelRemesher>(fine, noise, division.parts[number], division.isShared);
+    parts[number]->RunPart([&check](double) { check(); });
+  });
+  MedialVoxelRemesher remesher(fine, noise, parts);
+  parts.clear();
+  remesher.RunWhole(progress);
 
   const Complex &                complex = remesher.GetComplex();
   MedialVoxelRemeshedSheet       result;
   std::vector<Complex::Triangle> corners;
-  result.summary.holesClosed = holes + remesher.GetNumberOfHolesClosed();
+  result.summary.holesClosed = remesher.GetNumberOfHolesClosed();
   result.summary.trianglesLeftOut = remesher.GetNumberLeftOut();
   result.summary.orientationConflicts = MedialVoxelOrientWalls(complex, corners);
+  result.summary.area = GetArea(complex);
+  result.summary.wallsLeftOut = complex.CountWallsLeftOut(fine.GetNumberOfWalls());
   result.elements = MedialVoxelPairTriangles(complex, corners, size.joinsTriangles);
-  PutInOrder(fine, complex, numberGiven, result);
-  MeasureAreasAndWalls(fine, complex, result.summary);
-  return result;
-}
-
-/** What was found before rims were extended, and after that. */
-MedialVoxelRemeshingSummary
-Add(const MedialVoxelRemeshingSummary & before, const MedialVoxelRemeshingSummary & after)
-{
-  MedialVoxelRemeshingSummary sum = after;
-  sum.fineArea = before.fineArea;
-  sum.walls = before.walls;
-  sum.wallsLeftOut = before.wallsLeftOut + after.wallsLeftOut;
-  sum.holesClosed = before.holesClosed + after.holesClosed;
-  sum.trianglesLeftOut = before.trianglesLeftOut + after.trianglesLeftOut;
-  return sum;
-}
-
-
-/** Extends the rims of a sheet of a smaller size, so that strips have the shape of elements and those are made
- * anew. */
-MedialVoxelRemeshedSheet
-RemeshExtended(MedialVoxelSheet                    sheet,
-               const MedialVoxelElementSize &      size,
-               const std::function<void(double)> & progress)
-{
-  MedialVoxelElementSize first = MedialVoxelSizeBeforeRims(size);
-  first.joinsTriangles = false;
-  const MedialVoxelRemeshedSheet before = RemeshAsItIs(std::move(sheet), first, false, progress);
-
-  MedialVoxelSheet carried;
-  carried.points = before.points;
-  carried.thickness.assign(before.thickness.begin(), before.thickness.end());
-  for (const MedialVoxelShellElement & element : before.elements)
-  {
-    carried.triangles.push_back({ { element.corners[0], element.corners[1], element.corners[2] } });
-  }
-  std::vector<Index> origins;
-  const auto         rims = MedialVoxelExtendRims(carried, size.measureRimRays, size.rimLimits, origins);
-
-  MedialVoxelRemeshedSheet result = RemeshAsItIs(std::move(carried), size, true, progress);
-  for (Index & point : result.finePoint)
-  {
-    point = before.finePoint[origins[point]];
-  }
-  for (MedialVoxelVector3 & point : result.points)
-  {
-    point = MedialVoxelMoveWithin(point, size.rimLimits);
-  }
-  result.summary = Add(before.summary, result.summary);
-  result.summary.rims = rims;
+  PutInOrder(fine, complex, result);
   return result;
 }
 
 } // namespace
 
-MedialVoxelElementSize
-MedialVoxelSizeBeforeRims(const MedialVoxelElementSize & size)
-{
-  MedialVoxelElementSize before = size;
-  before.least = std::max(ShareBefore * size.least, std::min(size.least, NoisesBefore * size.noise));
-  before.shareOfThickness = ShareBefore * size.shareOfThickness;
-  return before;
-}
-
 std::uint64_t
 MedialVoxelRemeshingBytesPerTriangle()
 {
+  constexpr std::uint64_t pointsOfParts = 32;
   return MedialVoxelFineSheet::BytesPerTriangle + MedialVoxelTriangleComplex::BytesPerTriangle +
-         MedialVoxelSheetWitnesses::BytesPerTriangle;
+         MedialVoxelSheetWitnesses::BytesPerTriangle + pointsOfParts;
 }
 
 MedialVoxelRemeshedSheet
 MedialVoxelRemesh(MedialVoxelSheet                    sheet,
                   const MedialVoxelElementSize &      size,
-                  const std::function<void(double)> & progress)
+                  const std::function<void(double)> & progress,
+                  const MedialVoxelRunTasks &         runTasks)
 {
   assert(size.least > 0.0 && sheet.thickness.size() == sheet.points.size());
-  MedialVoxelElementSize known = size;
-  known.noise = size.GetNoise(GetMeanSide(sheet));
-  return size.extendsRims ? RemeshExtended(std::move(sheet), known, progress)
-                          : RemeshAsItIs(std::move(sheet), known, false, progress);
+  const double             area = GetArea(sheet);
+  const double             noise = size.GetNoise(GetMeanSide(sheet));
+  MedialVoxelCoarsenedPart coarse = MedialVoxelCoarsenPart(std::move(sheet), {}, size, progress);
+  const std::uint64_t      holes = CloseHoles(coarse, size.least);
+
+  std::vector<Index>                            origins(coarse.sheet.points.size());
+  std::optional<MedialVoxelRimExtensionSummary> rims;
+  std::iota(origins.begin(), origins.end(), Index{ 0 });
+  if (size.extendsRims)
+  {
+    rims = MedialVoxelExtendRims(coarse.sheet, size.measureRimRays, size.rimLimits, origins);
+  }
+  // Rims that were extended are straight.
+  auto result = MakeElements(std::move(coarse.sheet), size, size.extendsRims ? 0.0 : noise, runTasks, progress);
+  for (Index & point : result.finePoint)
+  {
+    point = coarse.finePoint[origins[point]];
+  }
+  for (std::size_t k = 0; size.extendsRims && k < result.points.size(); ++k)
+  {
+    result.points[k] = MedialVoxelMoveWithin(result.points[k], size.rimLimits);
+  }
+  result.summary.fineArea = area;
+  result.summary.walls = coarse.walls;
+  result.summary.wallsLeftOut += coarse.wallsLeftOut;
+  result.summary.holesClosed += holes;
+  result.summary.rims = rims;
+  return result;
 }
 
 } // end namespace itk

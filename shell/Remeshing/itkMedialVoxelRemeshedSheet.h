@@ -3,8 +3,8 @@
 #ifndef itkMedialVoxelRemeshedSheet_h
 #define itkMedialVoxelRemeshedSheet_h
 
-#include "itkMedialVoxelFineSheet.h"
-#include "itkMedialVoxelRimExtension.h"
+#include "itkMedialVoxelElementSize.h"
+#include "itkMedialVoxelSheetDivision.h"
 #include "itkMedialVoxelShellElements.h"
 
 #include <functional>
@@ -12,26 +12,6 @@
 
 namespace itk
 {
-
-/** How large elements are to be. */
-struct MedialVoxelElementSize
-{
-  double least{ 0 };           ///< of the sides, units of the points, > 0
-  bool   atThickness{ false }; ///< at least the thickness everywhere; else so at junctions and bends
-  bool   joinsTriangles{ true };
-  double noise{ 0 }; ///< how far the fine sheet may be off anywhere, and steps may move it; 0: half its mean side
-  double shareOfThickness{ 1 }; ///< that stands for the thickness
-
-  bool                      extendsRims{ false }; ///< to the free edges of the part
-  MedialVoxelMeasureRimRays measureRimRays{};     ///< finds these edges; empty: they are half a thickness away
-  MedialVoxelRimLimits      rimLimits{};          ///< faces of the volume, where rims end at the latest
-
-  double
-  GetNoise(double meanSide) const
-  {
-    return noise > 0.0 ? noise : meanSide / 2.0;
-  }
-};
 
 /** What became of a sheet. Lengths are in the units of the points. */
 struct MedialVoxelRemeshingSummary
@@ -67,20 +47,19 @@ struct MedialVoxelRemeshedSheet
   MedialVoxelRemeshingSummary          summary;
 };
 
-/** What sides are to have before rims are extended: they are about as long as what is added to them. */
-MedialVoxelElementSize
-MedialVoxelSizeBeforeRims(const MedialVoxelElementSize & size);
-
 /** Memory that remeshing takes for each triangle of the fine sheet, which is part of it. */
 std::uint64_t
 MedialVoxelRemeshingBytesPerTriangle();
 
-/** \param sheet    without triangles of one place; its points are those of its triangles
- * \param progress called often with the share that is done; may throw to stop */
+/** A coarse sheet of the same points, whose rims are extended if that is asked for, and elements that are made of it.
+ * \param sheet    without triangles of one place; its points are those of its triangles
+ * \param progress called often with the share that is done; may throw to stop
+ * \param runTasks does parts of the work, which are the same for any order */
 MedialVoxelRemeshedSheet
 MedialVoxelRemesh(MedialVoxelSheet                    sheet,
                   const MedialVoxelElementSize &      size,
-                  const std::function<void(double)> & progress);
+                  const std::function<void(double)> & progress,
+                  const MedialVoxelRunTasks &         runTasks = MedialVoxelRunInOrder);
 
 } // end namespace itk
 

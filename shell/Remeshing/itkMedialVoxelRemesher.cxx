@@ -17,13 +17,15 @@ using Vector = MedialVoxelVector3;
 using Place = MedialVoxelTriangleComplex::Place;
 using Index = MedialVoxelTriangleComplex::Index;
 
-constexpr double Growth = 1.6;
 constexpr double Long = 4.0 / 3.0;
 constexpr double Short = 4.0 / 5.0;
 
 /** Of the size: how far the sheet may move, how short a side must be to close a wall over it. */
 constexpr double ToleranceOfSize = 0.08;
 constexpr double MergingOfSize = 0.3;
+
+/** Of the size: shorter moves are not worth it. */
+constexpr double LeastMove = 0.02;
 
 /** Turns of a line, and of a normal. */
 constexpr double CosineOfCorner = 0.6;
@@ -32,95 +34,65 @@ constexpr double CosineOfBend = 0.87;
 
 constexpr double GoodQuality = 0.3;
 
-constexpr unsigned int MostRounds = 4;
+/** Rounds of all steps in parts and in the whole, of repairs, and of cleaning. */
+constexpr unsigned int RoundsOfPart = 4;
+constexpr unsigned int RoundsOfWhole = 2;
+constexpr unsigned int RoundsOfRepair = 4;
+constexpr unsigned int RoundsOfCleaning = 3;
 constexpr unsigned int RoundsOfPass = 2;
 
-/** Of the progress: while sides grow. */
-constexpr double ShareOfGrowth = 0.8;
+/** Of the progress. */
+constexpr double ShareOfSteps = 0.8;
 
 } // namespace
 
-MedialVoxelRemesher::MedialVoxelRemesher(MedialVoxelFineSheet &      fine,
-                                         const double                noise,
-                                         std::function<void(double)> progress)
-  : m_Fine(fine)
-  , m_Progress(std::move(progress))
-  , m_Witnesses(fine.GetSheet())
-  , m_Noise(noise)
+void
+MedialVoxelRemesher::RunPart(std::function<void(double)> progress)
 {
-  const MedialVoxelSheet & sheet = fine.GetSheet();
-  for (Index point = 0; point < sheet.points.size(); ++point)
-  {
-    m_Complex.AddVertex(sheet.points[point]);
-    m_Complex.GetVertex(point).size = fine.GetSize(point);
-    m_Complex.GetVertex(point).isShared = fine.IsShared(point);
-  }
-  for (Index triangle = 0; triangle < sheet.triangles.size(); ++triangle)
-  {
-    m_Complex.AddTriangle(sheet.triangles[triangle], fine.GetWall(triangle));
-  }
-}
-
-float
-MedialVoxelRemesher::GetLargestSize() const
-{
-  float largest = 0.0F;
-  for (Index vertex = 0; vertex < m_Complex.GetNumberOfVertices(); ++vertex)
-  {
-    largest = std::max(largest, m_Complex.GetSize(vertex));
-  }
-  return largest;
+  m_Progress = std::move(progress);
+  this->RunSteps(RoundsOfPart, false);
 }
 
 void
-MedialVoxelRemesher::Coarsen(const double most)
+MedialVoxelRemesher::RunWhole(std::function<void(double)> progress)
 {
-  const double last = std::min<double>(most, this->GetLargestSize());
-  bool         knowsBends = false;
-  for (m_Level = m_Fine.GetMeanSide() * Growth;; m_Level *= Growth)
+  m_Progress = std::move(progress);
+  this->RunSteps(RoundsOfWhole, true);
+  for (unsigned int round = 0; round < RoundsOfRepair; ++round)
   {
-    m_Level = m_Level > last / std::sqrt(Growth) ? std::max(last, m_Fine.GetMeanSide()) : m_Level;
-    m_Share = ShareOfGrowth * std::min(1.0, m_Level / last);
-    this->SplitLongSides();
-    this->CollapseShortSides(false);
-    this->FlipSides();
-    this->MoveVertices();
-    this->MoveVertices();
-    if (!knowsBends && m_Level > 6.0 * m_Noise)
-    {
-      this->RaiseSizesAtBends();
-      knowsBends = true;
-    }
-    if (m_Level >= last)
-    {
-      break;
-    }
-  }
-}
-
-void
-MedialVoxelRemesher::Finish()
-{
-  m_Level = this->GetLargestSize();
-  for (unsigned int round = 0; round < MostRounds; ++round)
-  {
-    m_Share = ShareOfGrowth + (1.0 - ShareOfGrowth) * round / (2 * MostRounds);
-    this->SplitLongSides();
-    this->CollapseShortSides(round > 0);
-    this->FlipSides();
-    this->MoveVertices();
-    this->FlipSides();
-    this->MoveVertices();
-  }
-  for (unsigned int round = 0; round < MostRounds; ++round)
-  {
-    m_Share = ShareOfGrowth + (1.0 - ShareOfGrowth) * (MostRounds + round) / (2 * MostRounds);
     this->RepairTriangles();
     this->MoveVertices();
     this->FlipSides();
   }
-  this->RepairTriangles();
-  this->CleanUp();
+  for (unsigned int round = 0; round < RoundsOfCleaning; ++round)
+  {
+    this->RepairTriangles();
+    this->CleanUp();
+    if (round + 1 < RoundsOfCleaning)
+    {
+      this->MoveVertices();
+      this->FlipSides();
+    }
+  }
+}
+
+void
+MedialVoxelRemesher::RunSteps(const unsigned int rounds, const bool isWhole)
+{
+  for (unsigned int round = 0; round < rounds; ++round)
+  {
+    this->SplitLongSides();
+    this->CollapseShortSides(isWhole || round > 0);
+    this->FlipSides();
+    this->MoveVertices();
+    if (isWhole && round == 0)
+    {
+      this->RaiseSizesAtBends();
+    }
+    this->FlipSides();
+    this->MoveVertices();
+    m_Share = ShareOfSteps * (round + 1) / rounds;
+  }
 }
 
 void
@@ -135,7 +107,7 @@ MedialVoxelRemesher::Proceed()
 double
 MedialVoxelRemesher::GetSize(const Index a, const Index b) const
 {
-  return std::min<double>((m_Complex.GetSize(a) + m_Complex.GetSize(b)) / 2.0, m_Level);
+  return (static_cast<double>(m_Complex.GetSize(a)) + m_Complex.GetSize(b)) / 2.0;
 }
 
 double
@@ -179,7 +151,7 @@ MedialVoxelRemesher::ListSides() const
 bool
 MedialVoxelRemesher::IsStuck(const Index a, const Index b) const
 {
-  if (!m_Fine.HasShared())
+  if (!m_HasShared)
   {
     return false;
   }
@@ -303,6 +275,7 @@ MedialVoxelRemesher::RaiseSizesAtBends()
       m_Witnesses.AppendPoints(triangles[1], points);
     }
   }
+  std::transform(points.begin(), points.end(), points.begin(), [this](const Index point) { return m_Numbers[point]; });
   m_Fine.RaiseSizes(points);
 }
 
@@ -331,7 +304,7 @@ MedialVoxelRemesher::IsSharp(const Index vertex, const Place kind) const
   const Complex::Indices line = this->FindLineNeighbors(vertex, kind);
   const Vector           first = MedialVoxelSubtract(m_Complex.GetPoint(vertex), m_Complex.GetPoint(line[0]));
   const Vector           second = MedialVoxelSubtract(m_Complex.GetPoint(line[1]), m_Complex.GetPoint(vertex));
-  return m_Level > 4.0 * m_Noise && MedialVoxelCosine(first, second) < CosineOfCorner;
+  return this->GetSize(vertex, vertex) > 4.0 * m_Noise && MedialVoxelCosine(first, second) < CosineOfCorner;
 }
 
 /** Vertices of lines go along their lines only, unless two lines are to become one. */
@@ -417,23 +390,36 @@ MedialVoxelRemesher::TryMove(const Index vertex, const Place kind)
   {
     const auto nearest =
       this->Project(vertex, kind, MedialVoxelAddScaled(point, MedialVoxelSubtract(mean, point), share));
-    if (!(nearest.distance < this->GetSize(vertex, vertex)))
+    const double length = MedialVoxelNorm(MedialVoxelSubtract(nearest.point, point));
+    if (length >= LeastMove * this->GetSize(vertex, vertex) &&
+        this->TryMoveTo(vertex, nearest, { this->GetTolerance(vertex), CosineOfStep, GoodQuality }))
     {
-      continue;
-    }
-    const Step step = this->MakeMove(vertex, nearest.point);
-    if (this->Allows(step, { this->GetTolerance(vertex), CosineOfStep, GoodQuality }))
-    {
-      m_Complex.GetVertex(vertex).point = nearest.point;
-      m_Witnesses.Assign(step.before, step.numbers);
-      if (kind == Place::Wall)
-      {
-        m_Complex.GetVertex(vertex).size = m_Fine.GetSize(m_Fine.GetNearestPoint(nearest.triangle, nearest.point));
-      }
       return true;
     }
   }
   return false;
+}
+
+/** To a place that it was projected to. */
+bool
+MedialVoxelRemesher::TryMoveTo(const Index vertex, const MedialVoxelSheetTree::Nearest & nearest, const Rules & rules)
+{
+  if (!(nearest.distance < this->GetSize(vertex, vertex)))
+  {
+    return false;
+  }
+  const Step step = this->MakeMove(vertex, nearest.point);
+  if (!this->Allows(step, rules))
+  {
+    return false;
+  }
+  if (m_Complex.GetPlace(vertex) == Place::Wall)
+  {
+    m_Complex.GetVertex(vertex).size = m_Fine.GetSize(m_Fine.GetNearestPoint(nearest.triangle, nearest.point));
+  }
+  m_Complex.GetVertex(vertex).point = nearest.point;
+  m_Witnesses.Assign(step.before, step.numbers);
+  return true;
 }
 
 /** Of the rims of the wall of a vertex, or of all junctions. */

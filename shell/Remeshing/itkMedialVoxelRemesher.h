@@ -8,18 +8,18 @@
 #include "itkMedialVoxelTriangleComplex.h"
 
 #include <functional>
+#include <memory>
 
 namespace itk
 {
 
 /** \class MedialVoxelRemesher
- * \brief Brings a sheet to larger triangles of good shape, whose sides have the sizes of the fine sheet.
+ * \brief Makes elements of good shape of a coarse sheet, whose sides have the sizes of that.
  *
- * Sides grow by 1.6 at a time. At each size, long sides are cut, short ones are collapsed, sides are flipped and
- * vertices are moved along the fine sheet. Rims stay on rims and junctions on junctions. No step may leave a point of
- * the fine sheet, or the middle of a triangle, farther away than 0.15 of the size there (or half a fine side,
- * where that is more). Walls that are narrower than half an element, and bounded by a junction, are closed; others keep
- * their width.
+ * Long sides are cut, short ones are collapsed, sides are flipped and vertices are moved along that sheet, in parts
+ * first. Rims stay on rims and junctions on junctions. No such step may leave a point of that sheet, or the middle of a
+ * triangle, farther away than 0.08 of the size there (or half a fine side, where that is more); repairs may by half the
+ * size. Walls that are narrower than half an element, and bounded by a junction, are closed; others keep their width.
  * \ingroup MedialVoxel
  */
 class MedialVoxelRemesher
@@ -30,19 +30,33 @@ public:
   using Triangle = Complex::Triangle;
   using Point = Complex::Point;
 
-  /** \param fine     with its sizes set; it stays as long as this
-   * \param noise    by how much the fine sheet may be off anywhere: steps keep this distance to it at least
+  using Parts = std::vector<std::unique_ptr<MedialVoxelRemesher>>;
+
+  /** Of a part of the fine sheet.
+   * \param fine      stays as long as this
+   * \param noise     by how much the fine sheet may be off anywhere: steps keep this distance to it at least
+   * \param triangles of the part
+   * \param isShared  of each point of the fine sheet, whether it stays where it is, as other parts have it, too */
+  MedialVoxelRemesher(MedialVoxelFineSheet &     fine,
+                      double                     noise,
+                      const std::vector<Index> & triangles,
+                      const std::vector<bool> &  isShared);
+
+  /** Of the whole, whose parts are done apart. */
+  MedialVoxelRemesher(MedialVoxelFineSheet & fine, double noise, const Parts & parts);
+
+  MedialVoxelRemesher(const MedialVoxelRemesher &) = delete;
+  MedialVoxelRemesher &
+  operator=(const MedialVoxelRemesher &) = delete;
+
+  /** Brings the sides of a part to their sizes.
    * \param progress called often with the share that is done; may throw to stop */
-  MedialVoxelRemesher(MedialVoxelFineSheet & fine, double noise, std::function<void(double)> progress);
-
-  /** Lets sides grow, by 1.6 at a time, up to their sizes, but to \a most at most. */
   void
-  Coarsen(double most);
+  RunPart(std::function<void(double)> progress);
 
-  /** Brings the sides to their sizes, and rids the sheet of triangles of bad shape. After Coarsen(), with all triangles
-   * of the sheet. */
+  /** Brings the sides that parts share to their sizes, and rids the sheet of triangles of bad shape. */
   void
-  Finish();
+  RunWhole(std::function<void(double)> progress);
 
   const Complex &
   GetComplex() const
@@ -95,8 +109,6 @@ private:
   MoveVertices();
   void
   RepairTriangles();
-  float
-  GetLargestSize() const;
   void
   RaiseSizesAtBends();
   void
@@ -115,7 +127,11 @@ private:
   bool
   TryMove(Index vertex, Complex::Place kind);
   bool
+  TryMoveTo(Index vertex, const MedialVoxelSheetTree::Nearest & nearest, const Rules & rules);
+  bool
   TryRepair(Index triangle);
+  bool
+  TryShift(Index vertex);
   bool
   TryPassOver(Index a, Index b, Index c, double improvement);
 
@@ -154,6 +170,8 @@ private:
   Step
   MakePassOver(const Complex::Indices & triangles, Index a, Index b, Index c) const;
   Step
+  MakeLid(Index vertex) const;
+  Step
   MakeMove(Index vertex, const Point & place) const;
 
   bool
@@ -163,6 +181,8 @@ private:
   std::vector<Index>
   Apply(const Step & step);
 
+  void
+  RunSteps(unsigned int rounds, bool isWhole);
   bool
   IsStuck(Index a, Index b) const;
   bool
@@ -216,10 +236,12 @@ private:
 
   MedialVoxelFineSheet &      m_Fine;
   std::function<void(double)> m_Progress;
+  std::vector<Point>          m_Given;   ///< points of the fine sheet
+  std::vector<Index>          m_Numbers; ///< of these in the fine sheet
   Complex                     m_Complex;
   MedialVoxelSheetWitnesses   m_Witnesses;
   double                      m_Noise;
-  double                      m_Level{ 0 }; ///< the size that sides have at most
+  bool                        m_HasShared{ false };
   std::uint64_t               m_HolesClosed{ 0 };
   std::uint64_t               m_LeftOut{ 0 };
   std::uint64_t               m_Steps{ 0 };

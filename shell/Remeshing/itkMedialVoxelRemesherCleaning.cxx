@@ -228,8 +228,32 @@ MedialVoxelRemesher::ListCleanSteps(const Index triangle) const
     {
       add(this->MakeShorterRim(triangle)); // a is the tip of a strip
     }
+    add(this->MakeLid(a));
   }
   return steps;
+}
+
+/** Without the three triangles of a vertex that stand on a triangle, whose pocket is closed. */
+MedialVoxelRemesher::Step
+MedialVoxelRemesher::MakeLid(const Index vertex) const
+{
+  Step                     step;
+  const Complex::Neighbors neighbors = m_Complex.FindNeighbors(vertex);
+  if (neighbors.size() != 3 || m_Complex.GetTrianglesOf(vertex).size() != 3)
+  {
+    return step;
+  }
+  for (const Index triangle : m_Complex.FindTriangles(neighbors[0].vertex, neighbors[1].vertex))
+  {
+    if (m_Complex.GetOpposite(triangle, neighbors[0].vertex, neighbors[1].vertex) == neighbors[2].vertex)
+    {
+      step.before = m_Complex.GetTrianglesOf(vertex);
+      step.before.push_back(triangle);
+      step.numbers.push_back(triangle);
+      step.after.push_back(m_Complex.GetTriangle(triangle));
+    }
+  }
+  return step;
 }
 
 bool

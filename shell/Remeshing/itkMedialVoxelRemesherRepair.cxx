@@ -3,6 +3,7 @@
 #include "itkMedialVoxelRemesher.h"
 
 #include "itkMedialVoxelElementQuality.h"
+#include "itkMedialVoxelSheetVectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,9 @@ using Place = MedialVoxelTriangleComplex::Place;
 
 constexpr double WantedQuality = 0.45;
 constexpr double LeastGain = 0.02;
+
+/** Of a side: how far a vertex is moved along it. */
+constexpr double ShiftOfSide = 0.15;
 
 } // namespace
 
@@ -68,6 +72,31 @@ MedialVoxelRemesher::TryRepair(const Index triangle)
       m_Complex.Collapse(from, to);
       m_Witnesses.Assign(step.before, step.numbers);
       return true;
+    }
+  }
+  return std::any_of(corners.begin(), corners.end(), [this](const Index corner) { return this->TryShift(corner); });
+}
+
+/** Moves a vertex towards a neighbor or away from it, where triangles get a better shape by it. */
+bool
+MedialVoxelRemesher::TryShift(const Index vertex)
+{
+  const Place kind = m_Complex.GetPlace(vertex);
+  if (kind == Place::Corner || this->IsSharp(vertex, kind))
+  {
+    return false;
+  }
+  const Point point = m_Complex.GetPoint(vertex);
+  for (const Index other : this->FindLineNeighbors(vertex, kind))
+  {
+    for (const double share : { ShiftOfSide, -ShiftOfSide })
+    {
+      const Point place = MedialVoxelAddScaled(point, MedialVoxelSubtract(m_Complex.GetPoint(other), point), share);
+      if (this->TryMoveTo(
+            vertex, this->Project(vertex, kind, place), { this->GetTolerance(vertex), 0.5, WantedQuality, LeastGain }))
+      {
+        return true;
+      }
     }
   }
   return false;

@@ -3,6 +3,7 @@
 #include "itkMedialVoxelRimExtension.h"
 
 #include "itkMedialVoxelRimLines.h"
+#include "itkMedialVoxelSheetTree.h"
 
 #include <algorithm>
 #include <cassert>

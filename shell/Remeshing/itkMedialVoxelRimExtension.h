@@ -3,7 +3,7 @@
 #ifndef itkMedialVoxelRimExtension_h
 #define itkMedialVoxelRimExtension_h
 
-#include "itkMedialVoxelFineSheet.h"
+#include "itkMedialVoxelSheet.h"
 
 #include <functional>
 

@@ -101,8 +101,8 @@ public:
   FindThickness(Index point) const;
 
 private:
-  /** Sides of a rim are of one line while they turn by less than 25 degrees. */
-  static constexpr double CosineOfLine = 0.9;
+  /** Sides of a rim are of one line while they turn by less than 16 degrees. */
+  static constexpr double CosineOfLine = 0.96;
 
   /** Calls visit(side, turns) for the sides of the line of a side, as far as it is straight, and for a share of the
    * thickness to both sides; turns: it goes the other way. */

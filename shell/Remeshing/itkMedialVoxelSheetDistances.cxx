@@ -161,10 +161,16 @@ MedialVoxelSheetDistances::MedialVoxelSheetDistances(const MedialVoxelRemeshedSh
 MedialVoxelDistanceHistogram
 MedialVoxelSheetDistances::MeasurePoints(const MedialVoxelSheet & part) const
 {
-  MedialVoxelDistanceHistogram result;
+  MedialVoxelDistanceHistogram  result;
+  MedialVoxelSheetTree::Nearest last;
   for (std::size_t k = 0; k < part.points.size() && !m_Samples.empty(); ++k)
   {
-    result.Add(m_Elements->Find(part.points[k], 0).distance);
+    // Points follow each other: the place of the last one is a bound.
+    const double bound =
+      k == 0 ? MedialVoxelSheetTree::Anywhere : MedialVoxelNorm(MedialVoxelSubtract(part.points[k], last.point));
+    const auto nearest = m_Elements->Find(part.points[k], 0, bound);
+    last = nearest.distance < bound ? nearest : last;
+    result.Add(std::min(nearest.distance, bound));
   }
   return result;
 }

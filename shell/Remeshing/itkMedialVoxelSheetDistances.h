@@ -4,6 +4,7 @@
 #define itkMedialVoxelSheetDistances_h
 
 #include "itkMedialVoxelRemeshedSheet.h"
+#include "itkMedialVoxelSheetTree.h"
 
 #include <limits>
 #include <memory>

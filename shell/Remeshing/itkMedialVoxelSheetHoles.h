@@ -3,7 +3,7 @@
 #ifndef itkMedialVoxelSheetHoles_h
 #define itkMedialVoxelSheetHoles_h
 
-#include "itkMedialVoxelFineSheet.h"
+#include "itkMedialVoxelSheet.h"
 
 namespace itk
 {

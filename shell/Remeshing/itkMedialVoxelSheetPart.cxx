@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelSheetPart.h"
 
-#include "itkMedialVoxelRemesher.h"
+#include "itkMedialVoxelSheetDecimation.h"
+#include "itkMedialVoxelSheetSizes.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace itk
@@ -14,31 +16,21 @@ namespace
 using Index = MedialVoxelSheet::Index;
 using Complex = MedialVoxelTriangleComplex;
 
-/** Of the points that triangles have; shared ones come as they were. */
+/** Of the points that triangles have. */
 MedialVoxelCoarsenedPart
-Collect(const MedialVoxelFineSheet & fine, const Complex & complex)
+Collect(const MedialVoxelSheet & fine, const Complex & complex)
 {
   MedialVoxelCoarsenedPart result;
   std::vector<Index>       numbers(complex.GetNumberOfVertices());
   for (Index vertex = 0; vertex < complex.GetNumberOfVertices(); ++vertex)
   {
-    if (complex.GetTrianglesOf(vertex).empty())
+    if (!complex.GetTrianglesOf(vertex).empty())
     {
-      continue;
-    }
-    numbers[vertex] = static_cast<Index>(result.sheet.points.size());
-    result.sheet.points.push_back(complex.GetPoint(vertex));
-    result.isShared.push_back(complex.IsShared(vertex));
-    if (complex.IsShared(vertex))
-    {
+      numbers[vertex] = static_cast<Index>(result.sheet.points.size());
+      result.sheet.points.push_back(complex.GetPoint(vertex));
+      result.sheet.thickness.push_back(fine.thickness[vertex]);
       result.finePoint.push_back(vertex);
-      result.sheet.thickness.push_back(fine.GetSheet().thickness[vertex]);
-      continue;
     }
-    const Index wall = complex.GetWall(complex.GetTrianglesOf(vertex).front());
-    const auto  nearest = fine.FindOnWall(complex.GetPoint(vertex), wall);
-    result.finePoint.push_back(fine.GetNearestPoint(nearest.triangle, nearest.point));
-    result.sheet.thickness.push_back(static_cast<float>(fine.GetThickness(nearest.triangle, nearest.point)));
   }
   for (Index triangle = 0; triangle < complex.GetNumberOfTriangles(); ++triangle)
   {
@@ -51,28 +43,48 @@ Collect(const MedialVoxelFineSheet & fine, const Complex & complex)
   return result;
 }
 
+/** Of the size: sides of the coarse sheet, about as long as what rims are extended by. */
+constexpr double ShareOfCoarse = 0.4;
+
+/** So many fine sides are sides of the coarse sheet at least, where elements are that large. */
+constexpr double FineSidesOfCoarse = 2.0;
+
 } // namespace
+
+MedialVoxelElementSize
+MedialVoxelElementSize::MakeCoarse(const double meanSide) const
+{
+  MedialVoxelElementSize coarse = *this;
+  coarse.least = std::max(ShareOfCoarse * least, std::min(least, 2.0 * FineSidesOfCoarse * this->GetNoise(meanSide)));
+  coarse.shareOfThickness = ShareOfCoarse * shareOfThickness;
+  return coarse;
+}
 
 MedialVoxelCoarsenedPart
 MedialVoxelCoarsenPart(MedialVoxelSheet                    part,
-                       std::vector<bool>                   isShared,
+                       const std::vector<bool> &           isShared,
                        const MedialVoxelElementSize &      size,
-                       const double                        most,
                        const std::function<void(double)> & progress)
 {
-  assert(most >= 0.0 && part.thickness.size() == part.points.size());
-  if (part.triangles.empty())
+  assert(part.thickness.size() == part.points.size());
+  const MedialVoxelSheetLines lines = MedialVoxelFindLines(part, isShared);
+  const MedialVoxelSheetSizes sizes(part, lines, size.MakeCoarse(lines.meanSide));
+  Complex                     complex;
+  for (Index point = 0; point < part.points.size(); ++point)
   {
-    return {};
+    complex.AddVertex(part.points[point]);
+    complex.GetVertex(point).size = sizes.Get(point);
+    complex.GetVertex(point).isShared = !isShared.empty() && isShared[point];
   }
-  MedialVoxelFineSheet fine(std::move(part), std::move(isShared));
-  fine.SetSizes(size.least, size.atThickness, size.shareOfThickness);
-  MedialVoxelRemesher remesher(fine, size.GetNoise(fine.GetMeanSide()), progress);
-  if (most > 0.0)
+  for (Index triangle = 0; triangle < part.triangles.size(); ++triangle)
   {
-    remesher.Coarsen(most);
+    complex.AddTriangle(part.triangles[triangle], lines.wallOf[triangle]);
   }
-  return Collect(fine, remesher.GetComplex());
+  MedialVoxelSheetDecimation(complex, size.GetNoise(lines.meanSide), progress).Run();
+  MedialVoxelCoarsenedPart result = Collect(part, complex);
+  result.walls = lines.numberOfWalls;
+  result.wallsLeftOut = complex.CountWallsLeftOut(lines.numberOfWalls);
+  return result;
 }
 
 } // end namespace itk

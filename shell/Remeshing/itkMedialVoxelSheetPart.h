@@ -3,31 +3,33 @@
 #ifndef itkMedialVoxelSheetPart_h
 #define itkMedialVoxelSheetPart_h
 
-#include "itkMedialVoxelRemeshedSheet.h"
+#include "itkMedialVoxelElementSize.h"
+#include "itkMedialVoxelSheet.h"
+
+#include <functional>
 
 namespace itk
 {
 
-/** A part of a sheet with larger triangles. */
+/** A sheet, or a part of one, with larger triangles; its points are of the given one. */
 struct MedialVoxelCoarsenedPart
 {
   MedialVoxelSheet                     sheet;
-  std::vector<MedialVoxelSheet::Index> finePoint; ///< of each point, one of the part that is near; itself if shared
-  std::vector<bool>                    isShared;  ///< of each point
+  std::vector<MedialVoxelSheet::Index> finePoint; ///< of each point, its number in the given one
+  std::uint64_t                        walls{ 0 };
+  std::uint64_t                        wallsLeftOut{ 0 }; ///< that were narrower than triangles are
 };
 
 /** Lets triangles of a part of a sheet grow, where shared points stay as they are. Parts that are done apart fit
- * together again: no side between shared points is cut, taken away or made.
+ * together again: no side between shared points is taken away or made.
  * \param part     as that of MedialVoxelRemesh()
- * \param isShared of each point, whether other parts have it, too
- * \param most     length of sides that triangles get at most; 0: they stay as they are
- * \param noise    as that of MedialVoxelElementSize
+ * \param isShared of each point, whether other parts have it, too; empty: no
+ * \param size     of elements; sides get that of MedialVoxelElementSize::MakeCoarse()
  * \param progress called often with the share that is done; may throw to stop */
 MedialVoxelCoarsenedPart
 MedialVoxelCoarsenPart(MedialVoxelSheet                    part,
-                       std::vector<bool>                   isShared,
+                       const std::vector<bool> &           isShared,
                        const MedialVoxelElementSize &      size,
-                       double                              most,
                        const std::function<void(double)> & progress);
 
 } // end namespace itk

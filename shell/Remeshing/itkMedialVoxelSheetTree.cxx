@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace itk
 {
@@ -65,22 +66,27 @@ MedialVoxelNearestOfTriangle(const Vector & point, const std::array<Vector, 3> &
   const Vector normal = MedialVoxelCross(ab, ac);
   const double length2 = MedialVoxelDot(normal, normal);
   const Vector ap = MedialVoxelSubtract(point, corners[0]);
-  if (length2 > 0.0)
+  const double v = MedialVoxelDot(MedialVoxelCross(ap, ac), normal);
+  const double w = MedialVoxelDot(MedialVoxelCross(ab, ap), normal);
+  if (length2 > 0.0 && v >= 0.0 && w >= 0.0 && v + w <= length2)
   {
-    const double v = MedialVoxelDot(MedialVoxelCross(ap, ac), normal) / length2;
-    const double w = MedialVoxelDot(MedialVoxelCross(ab, ap), normal) / length2;
-    if (v >= 0.0 && w >= 0.0 && v + w <= 1.0)
-    {
-      return { { corners[0][0] + (v * ab[0] + w * ac[0]),
-                 corners[0][1] + (v * ab[1] + w * ac[1]),
-                 corners[0][2] + (v * ab[2] + w * ac[2]) } };
-    }
+    return { { corners[0][0] + (v / length2 * ab[0] + w / length2 * ac[0]),
+               corners[0][1] + (v / length2 * ab[1] + w / length2 * ac[1]),
+               corners[0][2] + (v / length2 * ab[2] + w / length2 * ac[2]) } };
   }
-  Vector best = NearestOfSegment(point, corners[0], corners[1]);
-  for (unsigned int k = 1; k < 3; ++k)
+  // The nearest point is on a side that the point is beyond.
+  const std::array<bool, 3> isBeyond{ { !(w >= 0.0), !(v + w <= length2), !(v >= 0.0) } };
+  Vector                    best{};
+  double                    distance2 = MedialVoxelSheetTree::Anywhere;
+  for (unsigned int k = 0; k < 3; ++k)
   {
-    const Vector other = NearestOfSegment(point, corners[k], corners[(k + 1) % 3]);
-    best = GetDistance2(point, other) < GetDistance2(point, best) ? other : best;
+    if (isBeyond[k] || !(length2 > 0.0))
+    {
+      const Vector other = NearestOfSegment(point, corners[k], corners[(k + 1) % 3]);
+      const double toOther = GetDistance2(point, other);
+      best = toOther < distance2 ? other : best;
+      distance2 = std::min(distance2, toOther);
+    }
   }
   return best;
 }
@@ -142,32 +148,39 @@ void
 MedialVoxelSheetTree::Build(const Index first, const Index count, const std::vector<std::array<float, 3>> & centers)
 {
   // m_Triangles is in the order given until all nodes are built.
-  Node node{ {}, {}, first, count };
-  for (unsigned int axis = 0; axis < 3; ++axis)
+  constexpr float   infinity = std::numeric_limits<float>::infinity();
+  const std::size_t number = m_Nodes.size();
+  m_Nodes.push_back({ { { infinity, infinity, infinity } }, { { -infinity, -infinity, -infinity } }, first, count });
+  if (count <= TrianglesOfLeaf)
   {
-    double low = Anywhere;
-    double high = -Anywhere;
     for (Index place = first; place < first + count; ++place)
     {
       for (const Index corner : m_Triangles[m_Order[place]])
       {
-        low = std::min(low, (*m_Points)[corner][axis]);
-        high = std::max(high, (*m_Points)[corner][axis]);
+        for (unsigned int axis = 0; axis < 3; ++axis)
+        {
+          const auto coordinate = static_cast<float>((*m_Points)[corner][axis]);
+          m_Nodes[number].low[axis] = std::min(m_Nodes[number].low[axis], std::nextafter(coordinate, -infinity));
+          m_Nodes[number].high[axis] = std::max(m_Nodes[number].high[axis], std::nextafter(coordinate, infinity));
+        }
       }
     }
-    node.low[axis] = std::nextafter(static_cast<float>(low), -INFINITY);
-    node.high[axis] = std::nextafter(static_cast<float>(high), INFINITY);
-  }
-  const std::size_t number = m_Nodes.size();
-  m_Nodes.push_back(node);
-  if (count <= TrianglesOfLeaf)
-  {
     return;
+  }
+  std::array<float, 3> low{ { infinity, infinity, infinity } };
+  std::array<float, 3> high{ { -infinity, -infinity, -infinity } };
+  for (Index place = first; place < first + count; ++place)
+  {
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      low[axis] = std::min(low[axis], centers[m_Order[place]][axis]);
+      high[axis] = std::max(high[axis], centers[m_Order[place]][axis]);
+    }
   }
   unsigned int widest = 0;
   for (unsigned int axis = 1; axis < 3; ++axis)
   {
-    widest = node.high[axis] - node.low[axis] > node.high[widest] - node.low[widest] ? axis : widest;
+    widest = high[axis] - low[axis] > high[widest] - low[widest] ? axis : widest;
   }
   const Index half = count / 2;
   const auto  begin = m_Order.begin() + first;
@@ -175,9 +188,16 @@ MedialVoxelSheetTree::Build(const Index first, const Index count, const std::vec
     return centers[a][widest] != centers[b][widest] ? centers[a][widest] < centers[b][widest] : a < b;
   });
   this->Build(first, half, centers);
-  m_Nodes[number].first = static_cast<Index>(m_Nodes.size());
-  m_Nodes[number].count = 0;
+  const std::size_t right = m_Nodes.size();
   this->Build(first + half, count - half, centers);
+  Node & node = m_Nodes[number];
+  node.first = static_cast<Index>(right);
+  node.count = 0;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    node.low[axis] = std::min(m_Nodes[number + 1].low[axis], m_Nodes[right].low[axis]);
+    node.high[axis] = std::max(m_Nodes[number + 1].high[axis], m_Nodes[right].high[axis]);
+  }
 }
 
 MedialVoxelSheetTree::Nearest

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelSheetWitnesses.h"
 
+#include "itkMedialVoxelSheetTree.h"
+
 #include <cassert>
 
 namespace itk
@@ -20,24 +22,10 @@ GetDistance(const MedialVoxelVector3 & point, const MedialVoxelSheetWitnesses::C
 
 } // namespace
 
-MedialVoxelSheetWitnesses::MedialVoxelSheetWitnesses(const MedialVoxelSheet & sheet)
-  : m_Sheet(&sheet)
-  , m_First(sheet.triangles.size(), None)
-  , m_Next(sheet.points.size(), None)
-{
-  std::vector<bool> isDone(sheet.points.size());
-  for (Index triangle = 0; triangle < sheet.triangles.size(); ++triangle)
-  {
-    for (const Index point : sheet.triangles[triangle])
-    {
-      if (!isDone[point])
-      {
-        isDone[point] = true;
-        this->Add(point, triangle);
-      }
-    }
-  }
-}
+MedialVoxelSheetWitnesses::MedialVoxelSheetWitnesses(const std::vector<MedialVoxelVector3> & points)
+  : m_Given(&points)
+  , m_Next(points.size(), None)
+{}
 
 void
 MedialVoxelSheetWitnesses::Add(const Index point, const Index triangle)
@@ -80,7 +68,7 @@ MedialVoxelSheetWitnesses::Fit(const std::vector<Index> &   before,
     {
       // Points follow each other: that of the last one first.
       const Index  candidate = k == 0 ? last : k <= last ? k - 1 : k;
-      const double distance = GetDistance(m_Sheet->points[point], after[candidate]);
+      const double distance = GetDistance((*m_Given)[point], after[candidate]);
       if (distance < nearest)
       {
         nearest = distance;

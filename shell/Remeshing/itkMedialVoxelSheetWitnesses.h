@@ -3,7 +3,6 @@
 #ifndef itkMedialVoxelSheetWitnesses_h
 #define itkMedialVoxelSheetWitnesses_h
 
-#include "itkMedialVoxelFineSheet.h"
 #include "itkMedialVoxelTriangleComplex.h"
 
 namespace itk
@@ -24,8 +23,12 @@ public:
   /** Memory for each triangle of the fine sheet, with that of the coarse one at its start. */
   static constexpr std::uint64_t BytesPerTriangle = 8;
 
-  /** Each point with one of its triangles, which have the same numbers in both. */
-  explicit MedialVoxelSheetWitnesses(const MedialVoxelSheet & sheet);
+  /** \param points stay as long as this, which are kept with no triangle yet */
+  explicit MedialVoxelSheetWitnesses(const std::vector<MedialVoxelVector3> & points);
+
+  /** Keeps a point, that none has, with a triangle. */
+  void
+  Add(Index point, Index triangle);
 
   /** Whether the points of some triangles are within \a tolerance of what the triangles are to become. */
   bool
@@ -49,14 +52,11 @@ public:
 private:
   static constexpr Index None = MedialVoxelTriangleComplex::None;
 
-  void
-  Add(Index point, Index triangle);
-
-  const MedialVoxelSheet * m_Sheet;
-  std::vector<Index>       m_First;  ///< of each triangle
-  std::vector<Index>       m_Next;   ///< of each point
-  std::vector<Index>       m_Points; ///< of the last Fit()
-  std::vector<Index>       m_Places;
+  const std::vector<MedialVoxelVector3> * m_Given;
+  std::vector<Index>                      m_First;  ///< of each triangle
+  std::vector<Index>                      m_Next;   ///< of each point
+  std::vector<Index>                      m_Points; ///< of the last Fit()
+  std::vector<Index>                      m_Places;
 };
 
 } // end namespace itk

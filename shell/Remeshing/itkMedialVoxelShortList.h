@@ -3,6 +3,7 @@
 #ifndef itkMedialVoxelShortList_h
 #define itkMedialVoxelShortList_h
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -34,6 +35,15 @@ public:
       m_Long.push_back(element);
     }
     ++m_Size;
+  }
+
+  /** Before a place of the list. */
+  void
+  insert(const TElement * place, const TElement & element)
+  {
+    const std::ptrdiff_t offset = place - this->begin();
+    this->push_back(element);
+    std::rotate(this->begin() + offset, this->end() - 1, this->end());
   }
 
   std::size_t

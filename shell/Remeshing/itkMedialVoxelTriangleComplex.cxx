@@ -66,6 +66,20 @@ MedialVoxelTriangleComplex::AddTriangle(const Triangle & triangle, const Index w
   return number;
 }
 
+std::uint64_t
+MedialVoxelTriangleComplex::CountWallsLeftOut(const Index numberOfWalls) const
+{
+  std::vector<bool> isLeft(numberOfWalls);
+  for (Index triangle = 0; triangle < m_Triangles.size(); ++triangle)
+  {
+    if (this->IsTriangle(triangle))
+    {
+      isLeft[m_Walls[triangle]] = true;
+    }
+  }
+  return static_cast<std::uint64_t>(std::count(isLeft.begin(), isLeft.end(), false));
+}
+
 std::array<MedialVoxelTriangleComplex::Point, 3>
 MedialVoxelTriangleComplex::GetCorners(const Index triangle) const
 {
@@ -120,25 +134,29 @@ MedialVoxelTriangleComplex::GetOpposite(const Index triangle, const Index a, con
 MedialVoxelTriangleComplex::Neighbors
 MedialVoxelTriangleComplex::FindNeighbors(const Index vertex) const
 {
-  MedialVoxelShortList<Index, 32> ends; // each once for each triangle of its side
+  Neighbors neighbors;
   for (const Index triangle : m_TrianglesOf[vertex])
   {
     for (const Index other : m_Triangles[triangle])
     {
-      if (other != vertex)
+      if (other == vertex)
       {
-        ends.push_back(other);
+        continue;
+      }
+      Neighbor * place = neighbors.end();
+      while (place != neighbors.begin() && (place - 1)->vertex >= other)
+      {
+        --place;
+      }
+      if (place != neighbors.end() && place->vertex == other)
+      {
+        ++place->triangles;
+      }
+      else
+      {
+        neighbors.insert(place, { other, 1 });
       }
     }
-  }
-  std::sort(ends.begin(), ends.end());
-  Neighbors neighbors;
-  for (const Index * first = ends.begin(); first != ends.end();)
-  {
-    const Index * const last =
-      std::find_if(first, static_cast<const Index *>(ends.end()), [&](const Index other) { return other != *first; });
-    neighbors.push_back({ *first, static_cast<unsigned int>(last - first) });
-    first = last;
   }
   return neighbors;
 }

@@ -90,6 +90,10 @@ public:
   {
     return m_Walls[triangle];
   }
+  /** How many of the walls from 0 on have no triangle. */
+  std::uint64_t
+  CountWallsLeftOut(Index numberOfWalls) const;
+
   Vertex &
   GetVertex(Index vertex)
   {

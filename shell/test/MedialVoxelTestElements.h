@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <map>
 #include <set>
 
@@ -220,6 +221,36 @@ SinesOf(const Faces & faces)
   std::sort(sines.begin(), sines.end());
   return sines;
 }
+/** A square of squares of the length 1; those whose corner is given as outside are left out. */
+inline itk::MedialVoxelSheet
+FlatSquare(
+  const int                                 n,
+  const float                               thickness,
+  const std::function<bool(int x, int y)> & isInside = [](int, int) { return true; })
+{
+  itk::MedialVoxelSheet sheet;
+  for (int y = 0; y <= n; ++y)
+  {
+    for (int x = 0; x <= n; ++x)
+    {
+      sheet.points.push_back({ { double(x), double(y), 0.0 } });
+      sheet.thickness.push_back(thickness);
+    }
+  }
+  for (int y = 0; y < n; ++y)
+  {
+    for (int x = 0; x < n; ++x)
+    {
+      const auto corner = static_cast<std::uint32_t>(y * (n + 1) + x);
+      if (isInside(x, y))
+      {
+        sheet.AddQuad({ { corner, corner + 1, corner + n + 2, corner + n + 1 } });
+      }
+    }
+  }
+  return sheet;
+}
+
 } // namespace MedialVoxelTest
 
 #endif // MedialVoxelTestElements_h

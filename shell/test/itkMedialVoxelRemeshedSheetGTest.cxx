@@ -189,32 +189,34 @@ TEST(MedialVoxelRemeshedSheet, RepeatsItself)
   EXPECT_EQ(FacesOf(first).faces, FacesOf(second).faces);
 }
 
+TEST(MedialVoxelRemeshedSheet, OrderOfPartsDoesNotMatter)
+{
+  const itk::MedialVoxelSheet       sheet = FlatSquare(140, 4.0f);
+  const itk::MedialVoxelElementSize size{ 5.0, false, true };
+  const auto                        first = Remesh(sheet, size);
+  std::size_t                       parts = 0;
+  const auto                        second =
+    itk::MedialVoxelRemesh(sheet, size, {}, [&](const std::size_t count, const itk::MedialVoxelTask & task) {
+      for (parts = 0; parts < count; ++parts)
+      {
+        task(count - 1 - parts, [] {});
+      }
+    });
+  EXPECT_GT(parts, 2u);
+  EXPECT_EQ(first.points, second.points);
+  EXPECT_EQ(FacesOf(first).faces, FacesOf(second).faces);
+  ExpectSound(first);
+  ExpectGoodShapes(FacesOf(first));
+  EXPECT_NEAR(FacesOf(first).GetArea(), 140.0 * 140.0, 20.0);
+}
+
 TEST(MedialVoxelRemeshedSheet, SmallHolesAreClosedAndLargeOnesStay)
 {
   for (const double radius : { 1.0, 14.0 })
   {
     // A square with a hole, with elements as long as its wall is thick.
-    itk::MedialVoxelSheet sheet;
-    const int             n = 50;
-    for (int y = 0; y <= n; ++y)
-    {
-      for (int x = 0; x <= n; ++x)
-      {
-        sheet.points.push_back({ { double(x), double(y), 0.0 } });
-        sheet.thickness.push_back(4.0f);
-      }
-    }
-    for (int y = 0; y < n; ++y)
-    {
-      for (int x = 0; x < n; ++x)
-      {
-        const auto corner = static_cast<std::uint32_t>(y * (n + 1) + x);
-        if (std::hypot(x - 24.5, y - 24.5) > radius)
-        {
-          sheet.AddQuad({ { corner, corner + 1, corner + n + 2, corner + n + 1 } });
-        }
-      }
-    }
+    const itk::MedialVoxelSheet sheet =
+      FlatSquare(50, 4.0f, [&](int x, int y) { return std::hypot(x - 24.5, y - 24.5) > radius; });
     const auto result = Remesh(sheet, { 3.0, true, true });
     EXPECT_EQ(result.summary.holesClosed, radius < 2 ? 1u : 0u);
     EXPECT_EQ(FacesOf(result).GetEulerNumber(), radius < 2 ? 1 : 0);
@@ -225,6 +227,26 @@ TEST(MedialVoxelRemeshedSheet, SmallHolesAreClosedAndLargeOnesStay)
       ASSERT_LT(result.finePoint[k], sheet.points.size());
     }
   }
+}
+
+/** A pocket that is as small as triangles are has three of them on one; it is closed. */
+TEST(MedialVoxelRemeshedSheet, PocketsAreClosed)
+{
+  itk::MedialVoxelSheet sheet = FlatSquare(20, 4.0f);
+  const auto            apex = static_cast<std::uint32_t>(sheet.points.size());
+  const auto            base = sheet.triangles[sheet.triangles.size() / 2 + 20];
+  sheet.points.push_back(sheet.points[base[0]]);
+  sheet.points.back()[2] += 0.5;
+  sheet.thickness.push_back(4.0f);
+  for (unsigned int k = 0; k < 3; ++k)
+  {
+    sheet.triangles.push_back({ { base[k], base[(k + 1) % 3], apex } });
+  }
+  const auto result = Remesh(sheet, { 4.0, false, true });
+  ExpectSound(result);
+  ExpectGoodShapes(FacesOf(result));
+  EXPECT_EQ(FacesOf(result).GetEulerNumber(), 1);
+  EXPECT_TRUE(FacesOf(result).ListMiddles(true).empty());
 }
 
 /** Two rims at one place, with points at different places, as a long slit has them that is narrower than any element.

@@ -16,9 +16,9 @@ constexpr unsigned int MostCubes = 127;
 
 } // namespace
 
-MeshPartition::MeshPartition(MeshReader & reader, const std::uint64_t mostFaces, const double shift)
+MeshPartition::MeshPartition(MeshReader & reader, const std::uint64_t mostFaces)
 {
-  this->PlaceLattice(reader, shift);
+  this->PlaceLattice(reader);
   std::vector<std::uint32_t> faces(m_PartOf.size());
   reader.ForEachFace(
     [&](std::uint64_t, const MeshFace & face) { ++faces[this->GetCube(reader.GetVertex(face.vertices[0]))]; });
@@ -26,7 +26,7 @@ MeshPartition::MeshPartition(MeshReader & reader, const std::uint64_t mostFaces,
 }
 
 void
-MeshPartition::PlaceLattice(MeshReader & reader, const double shift)
+MeshPartition::PlaceLattice(MeshReader & reader)
 {
   constexpr double      infinity = std::numeric_limits<double>::infinity();
   std::array<double, 3> high{ { -infinity, -infinity, -infinity } };
@@ -46,7 +46,6 @@ MeshPartition::PlaceLattice(MeshReader & reader, const double shift)
   m_Edge = extent > 0.0 ? extent / MostCubes : 1.0;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    m_Low[axis] -= shift * m_Edge;
     m_Size[axis] = static_cast<unsigned int>(std::max(0.0, high[axis] - m_Low[axis]) / m_Edge) + 1;
   }
   m_PartOf.resize(std::size_t{ m_Size[0] } * m_Size[1] * m_Size[2]);

@@ -20,8 +20,7 @@ namespace medialvoxel
 class MeshPartition
 {
 public:
-  /** \param shift of the lattice, in its cubes, 0 to 1: other ones have other boundaries */
-  MeshPartition(MeshReader & reader, std::uint64_t mostFaces, double shift);
+  MeshPartition(MeshReader & reader, std::uint64_t mostFaces);
 
   std::uint32_t
   GetNumberOfParts() const
@@ -46,7 +45,7 @@ private:
   };
 
   void
-  PlaceLattice(MeshReader & reader, double shift);
+  PlaceLattice(MeshReader & reader);
 
   std::size_t
   GetCube(const MeshSpool::Vertex & vertex) const;

@@ -19,6 +19,9 @@ namespace
 using Index = itk::MedialVoxelSheet::Index;
 using Check = std::function<void()>;
 
+/** Faces of a part at most. */
+constexpr std::uint64_t MostFaces = std::uint64_t{ 1 } << 13;
+
 /** Memory of readers and the lattice of parts. */
 constexpr std::uint64_t BaseMemory = std::uint64_t{ 40 } << 20;
 
@@ -61,13 +64,11 @@ struct SheetCoarsening::Part
   std::vector<std::uint32_t> objects;
 };
 
-SheetCoarsening::SheetCoarsening(std::unique_ptr<MeshSpool> surface,
-                                 const SheetRemeshing &     remeshing,
-                                 const unsigned int         number)
+SheetCoarsening::SheetCoarsening(std::unique_ptr<MeshSpool> surface, const SheetRemeshing & remeshing)
   : m_Remeshing(remeshing)
 {
   MeshReader          reader(*surface, remeshing.progress);
-  const MeshPartition partition(reader, MostFaces, number % 2 == 0 ? 0.0 : 0.5);
+  const MeshPartition partition(reader, MostFaces);
   m_Grouped = SortMesh(
     std::move(surface),
     [&partition](const MeshSpool::Vertex & vertex) { return partition.GetPart(vertex); },
@@ -140,12 +141,11 @@ SheetCoarsening::ReadPart(const std::uint64_t number) const
       part.sheet.triangles.push_back({ { corners[0], corners[1], corners[2] } });
     }
   }
-  part.sheet.RemoveDuplicates();
   return part;
 }
 
 std::unique_ptr<MeshSpool>
-SheetCoarsening::Coarsen(const double most) const
+SheetCoarsening::Coarsen() const
 {
   struct Coarsened
   {
@@ -172,12 +172,12 @@ SheetCoarsening::Coarsen(const double most) const
   result->PutVertices(0, vertices);
 
   const auto make = [&](const std::uint64_t number, const Check & check) {
-    Coarsened         coarsened{ {}, this->ReadPart(number) };
-    Part &            fine = coarsened.fine;
+    Coarsened coarsened{ {}, this->ReadPart(number) };
+    Part &    fine = coarsened.fine;
+    fine.sheet.RemoveDuplicates();
     std::vector<bool> shared(fine.numbers.size());
     std::transform(fine.numbers.begin(), fine.numbers.end(), shared.begin(), isShared);
-    coarsened.part =
-      itk::MedialVoxelCoarsenPart(std::move(fine.sheet), std::move(shared), m_Remeshing.size, most, ToProgress(check));
+    coarsened.part = itk::MedialVoxelCoarsenPart(std::move(fine.sheet), shared, m_Remeshing.size, ToProgress(check));
     return coarsened;
   };
   const auto take = [&](std::uint64_t, Coarsened && coarsened) {
@@ -188,7 +188,7 @@ SheetCoarsening::Coarsen(const double most) const
     {
       const Index         finePoint = coarsened.part.finePoint[k];
       const std::uint64_t vertex = coarsened.fine.numbers[finePoint];
-      if (coarsened.part.isShared[k])
+      if (isShared(vertex))
       {
         numbers.push_back(static_cast<std::uint64_t>(findShared(vertex) - m_Shared.begin()));
         continue;
@@ -218,27 +218,32 @@ SheetCoarsening::MeasureDistances(const itk::MedialVoxelRemeshedSheet & coarse,
 {
   itk::MedialVoxelSheetDistances distances(coarse);
   const auto                     check = [this] { m_Remeshing.progress(0.0); };
-  using Histogram = itk::MedialVoxelDistanceHistogram;
-  OrderedWork<Histogram>::Run(
-    this->GetNumberOfParts(),
-    m_Remeshing.threads,
-    [&](const std::uint64_t number, const Check &) { return distances.MeasurePoints(this->ReadPart(number).sheet); },
-    [&](std::uint64_t, const Histogram & points) { distances.Add(points); },
-    check);
-  using Samples = std::vector<itk::MedialVoxelSheetDistances::SampleDistance>;
+  struct Measured
+  {
+    itk::MedialVoxelDistanceHistogram                           points;
+    std::vector<itk::MedialVoxelSheetDistances::SampleDistance> samples;
+  };
+  // Samples are near the fine surface nearly always.
+  bool isFirst = true;
   for (const double within : { GetLongestSide(coarse), itk::MedialVoxelSheetTree::Anywhere })
   {
-    if (!distances.IsComplete())
+    if (isFirst || !distances.IsComplete())
     {
-      OrderedWork<Samples>::Run(
+      OrderedWork<Measured>::Run(
         this->GetNumberOfParts(),
         m_Remeshing.threads,
         [&](const std::uint64_t number, const Check &) {
-          return distances.MeasureSamples(this->ReadPart(number).sheet, within);
+          const itk::MedialVoxelSheet part = this->ReadPart(number).sheet;
+          return Measured{ isFirst ? distances.MeasurePoints(part) : itk::MedialVoxelDistanceHistogram{},
+                           distances.MeasureSamples(part, within) };
         },
-        [&](std::uint64_t, const Samples & samples) { distances.Add(samples); },
+        [&](std::uint64_t, const Measured & measured) {
+          distances.Add(measured.points);
+          distances.Add(measured.samples);
+        },
         check);
     }
+    isFirst = false;
   }
   distances.Summarize(summary);
 }

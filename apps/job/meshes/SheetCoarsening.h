@@ -12,25 +12,15 @@ namespace medialvoxel
 /** \class SheetCoarsening
  * \brief Larger triangles for a surface of any size: parts of it are read, coarsened in threads, and put together.
  *
- * Points at the boundaries of parts stay as they are. The next coarsening has other boundaries. */
+ * Points at the boundaries of parts stay as they are. */
 class SheetCoarsening
 {
 public:
-  /** Faces of a part at most. */
-  static constexpr std::uint64_t MostFaces = std::uint64_t{ 1 } << 16;
+  SheetCoarsening(std::unique_ptr<MeshSpool> surface, const SheetRemeshing & remeshing);
 
-  /** \param number of this coarsening, from 0 on, which decides the boundaries of its parts */
-  SheetCoarsening(std::unique_ptr<MeshSpool> surface, const SheetRemeshing & remeshing, unsigned int number);
-
-  std::uint64_t
-  GetNumberOfFaces() const
-  {
-    return m_Grouped.surface->GetNumberOfFaces();
-  }
-
-  /** The surface with triangles whose sides have their size, but \a most at most; 0: as they are. */
+  /** The surface with triangles that elements are made of. */
   std::unique_ptr<MeshSpool>
-  Coarsen(double most) const;
+  Coarsen() const;
 
   /** Adds the distances between the surface and a coarse one to its summary. */
   void

@@ -3,6 +3,7 @@
 #include "SheetRemeshing.h"
 
 #include "Errors.h"
+#include "OrderedWork.h"
 #include "RimRays.h"
 #include "SheetCoarsening.h"
 #include "MeshFormat.h"
@@ -23,12 +24,8 @@ namespace
 
 using Index = itk::MedialVoxelSheet::Index;
 
-/** In mean sides of the fine sheet: its allowed deviation, and the sides of the first coarsening. */
+/** In mean sides of the fine sheet: its allowed deviation. */
 constexpr double NoiseOfSide = 0.5;
-constexpr double SidesOfFirst = 3.0;
-
-/** Rounds of coarsening, at most, until a large sheet is small. */
-constexpr unsigned int MostCoarsenings = 4;
 
 /** Vertices or faces that are handed on at a time. */
 constexpr std::size_t HandedOnAtATime = std::size_t{ 1 } << 14;
@@ -120,6 +117,25 @@ GetArea(const itk::MedialVoxelRemeshedSheet & sheet, const itk::MedialVoxelShell
   return area;
 }
 
+/** Runs tasks in threads. */
+itk::MedialVoxelRunTasks
+MakeRunner(const SheetRemeshing & settings)
+{
+  return [&settings](const std::size_t count, const itk::MedialVoxelTask & task) {
+    struct Nothing
+    {};
+    OrderedWork<Nothing>::Run(
+      count,
+      settings.threads,
+      [&task](const std::uint64_t number, const std::function<void()> & check) {
+        task(number, check);
+        return Nothing{};
+      },
+      [](std::uint64_t, Nothing &&) {},
+      [&settings] { settings.progress(0.0); });
+  };
+}
+
 /** Points in the order of their objects; the place of each in \a places. */
 void
 AddVertices(const itk::MedialVoxelRemeshedSheet & sheet,
@@ -204,23 +220,15 @@ RemeshSheet(std::unique_ptr<MeshSpool>         surface,
   SheetRemeshing settings = remeshing;
   settings.threads = GetThreads(remeshing);
   settings.size.noise = NoiseOfSide * fineSide;
-  const itk::MedialVoxelElementSize size = settings.size;
-  settings.size = size.extendsRims ? itk::MedialVoxelSizeBeforeRims(size) : size;
-  const SheetCoarsening fine(std::move(surface), settings, 0);
-  // Corners of rims that are extended are not to be cut twice, unless the surface is large.
-  const bool isDirect = size.extendsRims && fine.GetNumberOfFaces() <= SheetCoarsening::MostFaces;
-  auto       coarse = fine.Coarsen(isDirect ? 0.0 : SidesOfFirst * fineSide);
-  for (unsigned int number = 1; coarse->GetNumberOfFaces() > SheetCoarsening::MostFaces && number < MostCoarsenings;
-       ++number)
-  {
-    coarse = SheetCoarsening(std::move(coarse), settings, number).Coarsen(itk::MedialVoxelSheetTree::Anywhere);
-  }
+  const SheetCoarsening fine(std::move(surface), settings);
+  const auto            coarse = fine.Coarsen();
   CheckMemory(*coarse, remeshing.memoryLimit);
   std::vector<std::uint32_t> objects;
   MeshReader                 reader(*coarse, remeshing.progress);
-  auto                       sheet = itk::MedialVoxelRemesh(ReadSheet(reader, objects), size, remeshing.progress);
-  auto                       result = std::make_unique<MeshSpool>(remeshing.scratchFolder, coarse->GetPrecision());
-  std::vector<Index>         places;
+  auto                       sheet =
+    itk::MedialVoxelRemesh(ReadSheet(reader, objects), settings.size, remeshing.progress, MakeRunner(settings));
+  auto               result = std::make_unique<MeshSpool>(remeshing.scratchFolder, coarse->GetPrecision());
+  std::vector<Index> places;
   fine.MeasureDistances(sheet, sheet.summary);
   sheet.summary.fineArea = area;
   AddVertices(sheet, objects, places, *result);
