@@ -168,13 +168,13 @@ RemeshAsItIs(MedialVoxelSheet                    sheet,
   remesher.Coarsen(MedialVoxelSheetTree::Anywhere);
   remesher.Finish();
 
-  const Complex &                complex = remesher.GetComplex();
+  Complex                        complex = remesher.GetComplex();
   MedialVoxelRemeshedSheet       result;
   std::vector<Complex::Triangle> corners;
   result.summary.holesClosed = holes + remesher.GetNumberOfHolesClosed();
   result.summary.trianglesLeftOut = remesher.GetNumberLeftOut();
   result.summary.orientationConflicts = MedialVoxelOrientWalls(complex, corners);
-  result.elements = MedialVoxelPairTriangles(complex, corners, size.joinsTriangles);
+  result.elements = MedialVoxelMakeElements(complex, fine, corners, size.joinsTriangles);
   PutInOrder(fine, complex, numberGiven, result);
   MeasureAreasAndWalls(fine, complex, result.summary);
   return result;

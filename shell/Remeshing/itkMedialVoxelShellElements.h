@@ -3,6 +3,7 @@
 #ifndef itkMedialVoxelShellElements_h
 #define itkMedialVoxelShellElements_h
 
+#include "itkMedialVoxelFineSheet.h"
 #include "itkMedialVoxelTriangleComplex.h"
 
 namespace itk
@@ -29,14 +30,21 @@ std::uint64_t
 MedialVoxelOrientWalls(const MedialVoxelTriangleComplex &                  complex,
                        std::vector<MedialVoxelTriangleComplex::Triangle> & corners);
 
-/** Joins triangles to quadrilaterals, best first: where two share a side that no third one has, are nearly in one plane
- * (cosine above 0.9), and give a scaled Jacobian of 0.4 at least. What is left stays a triangle.
+/** The least of the scaled Jacobian, 1.6 over the aspect ratio, and the flatness of a quadrilateral, which is 1 where the
+ * normals at its corners are the same, 0.8 for cosines of 0.9, and 0.4 for 0.7. A triangle has its scaled Jacobian. */
+double
+MedialVoxelShellQuality(const MedialVoxelTriangleComplex & complex, const MedialVoxelShellElement & element);
+
+/** Joins triangles that share a side to quadrilaterals of a quality of 0.4 at least: as many as possible, the best
+ * first. Vertices inside walls move to where elements are better, and let more of them be joined.
+ * \param fine    the sheet that vertices stay on
  * \param corners as MedialVoxelOrientWalls() has left them
- * \param joins   false: all stay triangles */
+ * \param joins   false: all stay as they are */
 std::vector<MedialVoxelShellElement>
-MedialVoxelPairTriangles(const MedialVoxelTriangleComplex &                        complex,
-                         const std::vector<MedialVoxelTriangleComplex::Triangle> & corners,
-                         bool                                                      joins);
+MedialVoxelMakeElements(MedialVoxelTriangleComplex &                              complex,
+                        const MedialVoxelFineSheet &                              fine,
+                        const std::vector<MedialVoxelTriangleComplex::Triangle> & corners,
+                        bool                                                      joins);
 
 } // end namespace itk
 
