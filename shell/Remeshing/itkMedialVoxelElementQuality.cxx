@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelElementQuality.h"
 
+#include "itkMedialVoxelSheetVectors.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -11,6 +13,9 @@ namespace
 {
 
 using Vector = MedialVoxelVector3;
+
+/** Aspect ratio that stands for a quality of 1. */
+constexpr double GoodAspect = 1.6;
 
 template <std::size_t VCorners>
 std::array<Vector, VCorners>
@@ -38,6 +43,27 @@ GetAspectRatio(const std::array<Vector, VCorners> & sides, const double area, co
     sum += length;
   }
   return area > 0.0 ? longest * sum / (best * area) : std::numeric_limits<double>::infinity();
+}
+
+/** The least cosine of the angle between the normals at two corners. */
+double
+GetLeastCosine(const std::array<Vector, 4> & points)
+{
+  std::array<Vector, 4> normals;
+  for (std::size_t corner = 0; corner < 4; ++corner)
+  {
+    normals[corner] =
+      MedialVoxelTriangleNormal({ { points[(corner + 3) % 4], points[corner], points[(corner + 1) % 4] } });
+  }
+  double least = 1.0;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    for (std::size_t k = i + 1; k < 4; ++k)
+    {
+      least = std::min(least, MedialVoxelCosine(normals[i], normals[k]));
+    }
+  }
+  return least;
 }
 
 /** Of a quadrilateral: the sum of the normals of its corners, twice its area in the mean. */
@@ -88,6 +114,20 @@ double
 MedialVoxelAspectRatio(const std::array<Vector, 4> & corners)
 {
   return GetAspectRatio(GetSides(corners), MedialVoxelNorm(GetNormal(corners)) / 2.0, 4.0);
+}
+
+double
+MedialVoxelShellQuality(const std::array<Vector, 3> & corners)
+{
+  return MedialVoxelScaledJacobian(corners);
+}
+
+double
+MedialVoxelShellQuality(const std::array<Vector, 4> & corners)
+{
+  return std::min({ MedialVoxelScaledJacobian(corners),
+                    2.0 * GetLeastCosine(corners) - 1.0,
+                    GoodAspect / MedialVoxelAspectRatio(corners) });
 }
 
 void

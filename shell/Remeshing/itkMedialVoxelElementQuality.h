@@ -35,6 +35,15 @@ MedialVoxelAspectRatio(const std::array<MedialVoxelVector3, 3> & corners);
 double
 MedialVoxelAspectRatio(const std::array<MedialVoxelVector3, 4> & corners);
 
+/** How good an element of a shell model is: its scaled Jacobian. */
+double
+MedialVoxelShellQuality(const std::array<MedialVoxelVector3, 3> & corners);
+
+/** The same for a quadrilateral: the least of the scaled Jacobian, 1.6 over the aspect ratio, and the flatness, which is 1
+ * where the normals at all corners are the same, 0.8 for cosines of 0.9 between them, and 0.4 for 0.7. */
+double
+MedialVoxelShellQuality(const std::array<MedialVoxelVector3, 4> & corners);
+
 /** Shapes of all elements of a mesh; of none, all are as of a square. */
 struct MedialVoxelShapeSummary
 {

@@ -6,7 +6,6 @@
 #include "itkMedialVoxelElementSmoothing.h"
 #include "itkMedialVoxelLoneTriangles.h"
 #include "itkMedialVoxelPairing.h"
-#include "itkMedialVoxelSheetVectors.h"
 #include "itkMedialVoxelLoneTriangles.h"
 #include "itkMedialVoxelPairing.h"
 
@@ -27,9 +26,6 @@ constexpr unsigned int Rounds = 3;
 /** Quadrilaterals are made of triangles where their quality reaches one of these, the best first. */
 constexpr std::array<double, 4> QualitySteps{ { 0.8, 0.6, 0.5, 0.4 } };
 
-/** That stands for a quality of 1. */
-constexpr double GoodAspect = 1.6;
-
 /** Whether a triangle goes from a to b. */
 bool
 GoesAlong(const Triangle & triangle, const Index a, const Index b)
@@ -44,27 +40,6 @@ GetOther(const Complex & complex, const Index triangle, const Index a, const Ind
 {
   const Complex::Indices triangles = complex.FindTriangles(a, b);
   return triangles.size() != 2 ? Complex::None : triangles[0] == triangle ? triangles[1] : triangles[0];
-}
-
-/** The least cosine of the angle between the normals at two corners. */
-double
-GetLeastCosine(const std::array<MedialVoxelVector3, 4> & points)
-{
-  std::array<MedialVoxelVector3, 4> normals;
-  for (std::size_t corner = 0; corner < 4; ++corner)
-  {
-    normals[corner] =
-      MedialVoxelTriangleNormal({ { points[(corner + 3) % 4], points[corner], points[(corner + 1) % 4] } });
-  }
-  double least = 1.0;
-  for (std::size_t i = 0; i < 4; ++i)
-  {
-    for (std::size_t k = i + 1; k < 4; ++k)
-    {
-      least = std::min(least, MedialVoxelCosine(normals[i], normals[k]));
-    }
-  }
-  return least;
 }
 
 /** Two triangles, and the element that they would make. */
@@ -281,14 +256,9 @@ double
 MedialVoxelShellQuality(const Complex & complex, const MedialVoxelShellElement & element)
 {
   const auto at = [&](const unsigned int k) { return complex.GetPoint(element.corners[k]); };
-  if (element.numberOfCorners == 3)
-  {
-    return MedialVoxelScaledJacobian(std::array<MedialVoxelVector3, 3>{ { at(0), at(1), at(2) } });
-  }
-  const std::array<MedialVoxelVector3, 4> points{ { at(0), at(1), at(2), at(3) } };
-  return std::min({ MedialVoxelScaledJacobian(points),
-                    2.0 * GetLeastCosine(points) - 1.0,
-                    GoodAspect / MedialVoxelAspectRatio(points) });
+  return element.numberOfCorners == 3
+           ? MedialVoxelShellQuality(std::array<MedialVoxelVector3, 3>{ { at(0), at(1), at(2) } })
+           : MedialVoxelShellQuality(std::array<MedialVoxelVector3, 4>{ { at(0), at(1), at(2), at(3) } });
 }
 
 std::vector<MedialVoxelShellElement>

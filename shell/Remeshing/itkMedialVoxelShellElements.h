@@ -3,6 +3,7 @@
 #ifndef itkMedialVoxelShellElements_h
 #define itkMedialVoxelShellElements_h
 
+#include "itkMedialVoxelElementQuality.h"
 #include "itkMedialVoxelFineSheet.h"
 #include "itkMedialVoxelTriangleComplex.h"
 
@@ -30,8 +31,7 @@ std::uint64_t
 MedialVoxelOrientWalls(const MedialVoxelTriangleComplex &                  complex,
                        std::vector<MedialVoxelTriangleComplex::Triangle> & corners);
 
-/** The least of the scaled Jacobian, 1.6 over the aspect ratio, and the flatness of a quadrilateral, which is 1 where the
- * normals at its corners are the same, 0.8 for cosines of 0.9, and 0.4 for 0.7. A triangle has its scaled Jacobian. */
+/** Of an element, by the places of its corners. */
 double
 MedialVoxelShellQuality(const MedialVoxelTriangleComplex & complex, const MedialVoxelShellElement & element);
 

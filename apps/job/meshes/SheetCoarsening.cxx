@@ -7,6 +7,7 @@
 #include "MeshReader.h"
 
 #include "itkMedialVoxelSheetDistances.h"
+#include "itkMedialVoxelWallFitting.h"
 #include "itkMedialVoxelSheetPart.h"
 
 #include <unordered_map>
@@ -241,6 +242,20 @@ SheetCoarsening::MeasureDistances(const itk::MedialVoxelRemeshedSheet & coarse,
     }
   }
   distances.Summarize(summary);
+}
+
+void
+SheetCoarsening::FitWalls(itk::MedialVoxelRemeshedSheet & coarse, const double noise) const
+{
+  itk::MedialVoxelWallFitting fitting(coarse, noise);
+  using Sums = std::vector<itk::MedialVoxelWallFitting::Sums>;
+  OrderedWork<Sums>::Run(
+    this->GetNumberOfParts(),
+    m_Remeshing.threads,
+    [&](const std::uint64_t number, const Check &) { return fitting.Measure(this->ReadPart(number).sheet); },
+    [&](std::uint64_t, const Sums & sums) { fitting.Add(sums); },
+    [this] { m_Remeshing.progress(0.0); });
+  coarse.points = fitting.FindPlaces();
 }
 
 std::uint64_t

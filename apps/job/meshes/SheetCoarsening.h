@@ -36,6 +36,10 @@ public:
   void
   MeasureDistances(const itk::MedialVoxelRemeshedSheet & coarse, itk::MedialVoxelRemeshingSummary & summary) const;
 
+  /** Moves nodes of a coarse surface to where this one is in the mean. */
+  void
+  FitWalls(itk::MedialVoxelRemeshedSheet & coarse, double noise) const;
+
   /** Memory that it takes, for a number of threads. */
   static std::uint64_t
   GetBytes(unsigned int threads);

@@ -221,6 +221,7 @@ RemeshSheet(std::unique_ptr<MeshSpool>         surface,
   auto                       sheet = itk::MedialVoxelRemesh(ReadSheet(reader, objects), size, remeshing.progress);
   auto                       result = std::make_unique<MeshSpool>(remeshing.scratchFolder, coarse->GetPrecision());
   std::vector<Index>         places;
+  fine.FitWalls(sheet, settings.size.noise);
   fine.MeasureDistances(sheet, sheet.summary);
   sheet.summary.fineArea = area;
   AddVertices(sheet, objects, places, *result);
