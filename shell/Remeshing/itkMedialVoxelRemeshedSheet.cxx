@@ -119,7 +119,10 @@ PutInOrder(const MedialVoxelFineSheet & fine,
 }
 
 void
-MeasureAreasAndWalls(const MedialVoxelFineSheet & fine, const Complex & complex, MedialVoxelRemeshingSummary & summary)
+MeasureAreasAndWalls(const MedialVoxelFineSheet &  fine,
+                     const Complex &               complex,
+                     const double                  least,
+                     MedialVoxelRemeshingSummary & summary)
 {
   const MedialVoxelSheet & sheet = fine.GetSheet();
   for (const auto & corners : sheet.triangles)
@@ -136,7 +139,7 @@ MeasureAreasAndWalls(const MedialVoxelFineSheet & fine, const Complex & complex,
     }
   }
   summary.walls = isLeft.size();
-  summary.wallsLeftOut = static_cast<std::uint64_t>(std::count(isLeft.begin(), isLeft.end(), false));
+  summary.wallsLeftOut = MedialVoxelListWallsLeftOut(fine, isLeft, least);
 }
 
 /** Of the sides of triangles. */
@@ -176,7 +179,7 @@ RemeshAsItIs(MedialVoxelSheet                    sheet,
   result.summary.orientationConflicts = MedialVoxelOrientWalls(complex, corners);
   result.elements = MedialVoxelMakeElements(complex, fine, corners, size.joinsTriangles);
   PutInOrder(fine, complex, numberGiven, result);
-  MeasureAreasAndWalls(fine, complex, result.summary);
+  MeasureAreasAndWalls(fine, complex, size.least, result.summary);
   return result;
 }
 
@@ -187,7 +190,10 @@ Add(const MedialVoxelRemeshingSummary & before, const MedialVoxelRemeshingSummar
   MedialVoxelRemeshingSummary sum = after;
   sum.fineArea = before.fineArea;
   sum.walls = before.walls;
-  sum.wallsLeftOut = before.wallsLeftOut + after.wallsLeftOut;
+  sum.wallsLeftOut.insert(sum.wallsLeftOut.end(), before.wallsLeftOut.begin(), before.wallsLeftOut.end());
+  std::stable_sort(sum.wallsLeftOut.begin(), sum.wallsLeftOut.end(), [](const auto & a, const auto & b) {
+    return a.area > b.area;
+  });
   sum.holesClosed = before.holesClosed + after.holesClosed;
   sum.trianglesLeftOut = before.trianglesLeftOut + after.trianglesLeftOut;
   return sum;

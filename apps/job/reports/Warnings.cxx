@@ -193,6 +193,35 @@ CheckElements(const ExtractOptions &, const JobResult & result)
   };
 }
 
+/** Walls and pieces that a mesh of elements lacks, together more than a part of little weight. */
+std::optional<WarningText>
+CheckLeftOut(const ExtractOptions &, const JobResult & result)
+{
+  constexpr double little = 0.05;
+  if (!result.surface || !result.surface->remeshing)
+  {
+    return std::nullopt;
+  }
+  const auto & remeshing = *result.surface->remeshing;
+  const double pieces = result.surface->pieces ? result.surface->pieces->area : 0.0;
+  double       walls = 0.0;
+  for (const itk::MedialVoxelWallLeftOut & wall : remeshing.wallsLeftOut)
+  {
+    walls += wall.area;
+  }
+  const double whole = remeshing.fineArea + pieces;
+  if (!(walls + pieces > little * whole))
+  {
+    return std::nullopt;
+  }
+  return WarningText{ "the mesh lacks " + FormatShare((walls + pieces) / whole) + " of the area of the sheet: " +
+                        std::to_string(remeshing.wallsLeftOut.size()) + " walls have no elements, and " +
+                        std::to_string(result.surface->pieces ? result.surface->pieces->number : 0) +
+                        " pieces are small; mesh.remeshing.walls_left_out of the report lists the walls, a smaller "
+                        "--element-size and --min-component-size keep more",
+                      { { "area_percent", 100.0 * (walls + pieces) / whole } } };
+}
+
 /** Elements that solvers refuse or compute badly with. */
 std::optional<WarningText>
 CheckQuality(const ExtractOptions &, const JobResult & result)
@@ -211,6 +240,7 @@ CheckQuality(const ExtractOptions &, const JobResult & result)
 
 const std::vector<Rule<ExtractOptions, JobResult>> SheetRules{ { "no_medial_cells", CheckMedialCells, true },
                                                                { "coarse_elements", CheckElements },
+                                                               { "walls_left_out", CheckLeftOut },
                                                                { "poor_elements", CheckQuality } };
 
 /** Facts about the walls after an extraction. */
