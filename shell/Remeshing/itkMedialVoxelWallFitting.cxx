@@ -32,6 +32,11 @@ constexpr double LeastCosine = 0.7;
 /** In noises, that nodes move at most. */
 constexpr double MostMove = 2.0;
 
+/** A quadric of a larger round leaves so much more than that of a smaller one at most, unless both are small, in noises:
+ * walls are not round far around. */
+constexpr double GrowthOfRest = 1.2;
+constexpr double LeastRest = 0.05;
+
 /** A plane is taken unless a quadric leaves less of the rest than this share. */
 constexpr double ShareOfPlane = 0.8;
 
@@ -364,6 +369,7 @@ MedialVoxelWallFitting::FindHeight(const Frame &              frame,
   bool             isFound = false;
   std::vector<Row> rows;
   std::size_t      next = 0;
+  double           mostOfQuadric = MostRest * m_Noise;
   m_Around = start;
   for (const Index element : start)
   {
@@ -381,15 +387,16 @@ MedialVoxelWallFitting::FindHeight(const Frame &              frame,
     }
     const Height plane = FitHeight(rows, 3, radius * frame.size);
     const Height quadric = FitHeight(rows, 6, radius * frame.size);
-    const bool   isPlane = !quadric.isSolved || quadric.rest > ShareOfPlane * plane.rest;
+    const bool   isPlane = quadric.rest > ShareOfPlane * plane.rest;
     const Height best = isPlane ? plane : quadric;
-    if (!isFlat || (best.isSolved && best.rest > MostRest * m_Noise))
+    if (!isFlat || (quadric.isSolved && best.rest > MostRest * m_Noise))
     {
       break;
     }
-    if (best.isSolved && (isPlane || isInside))
+    if (quadric.isSolved && (isPlane || (isInside && best.rest <= mostOfQuadric)))
     {
       isFound = true;
+      mostOfQuadric = isPlane ? mostOfQuadric : std::max(GrowthOfRest * best.rest, LeastRest * m_Noise);
       height = best.height;
     }
   }

@@ -33,7 +33,7 @@ GetReason(const itk::MedialVoxelWallLeftOut & wall)
                                                                : "no elements of good shape";
 }
 
-/** The largest of them, with their number and area together. */
+/** The largest of them, with the area of all. */
 Json
 MakeWallsLeftOut(const itk::MedialVoxelRemeshingSummary & remeshing)
 {
@@ -52,8 +52,7 @@ MakeWallsLeftOut(const itk::MedialVoxelRemeshingSummary & remeshing)
                         { "reason", GetReason(wall) } });
     }
   }
-  return { { "number", remeshing.wallsLeftOut.size() },
-           { "area", area },
+  return { { "area", area },
            { "area_share", remeshing.fineArea > 0.0 ? area / remeshing.fineArea : 0.0 },
            { "walls", walls } };
 }
@@ -125,7 +124,8 @@ MakeMeshJson(const SheetSummary & surface)
                           { "mean_distance_elsewhere", remeshing.toFineElsewhere },
                           { "area_share_elsewhere", remeshing.shareElsewhere },
                           { "walls", remeshing.walls },
-                          { "walls_left_out", MakeWallsLeftOut(remeshing) },
+                          { "walls_left_out", remeshing.wallsLeftOut.size() },
+                          { "left_out", MakeWallsLeftOut(remeshing) },
                           { "holes_closed", remeshing.holesClosed },
                           { "triangles_left_out", remeshing.trianglesLeftOut },
                           { "orientation_conflicts", remeshing.orientationConflicts },

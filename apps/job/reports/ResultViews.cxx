@@ -207,9 +207,8 @@ ListViewRows()
     { ExtractTable,
       "mesh.remeshing",
       "  walls left out",
-      "{mesh.remeshing.walls_left_out.number} of {mesh.remeshing.walls}, {percent "
-      "mesh.remeshing.walls_left_out.area_share} of the area[mesh.remeshing.walls_left_out.walls?, the largest: "
-      "{mesh.remeshing.walls_left_out.walls.0.reason}]" },
+      "{mesh.remeshing.walls_left_out} of {mesh.remeshing.walls}, {percent mesh.remeshing.left_out.area_share} of the "
+      "area[mesh.remeshing.left_out.walls?, the largest {mesh.remeshing.left_out.walls.0.reason}]" },
     { ExtractTable, "mesh.remeshing", "  orientation conflicts", "{mesh.remeshing.orientation_conflicts}" },
     { ExtractTable, "mesh.quality", "  triangles", "{count mesh.quality.triangles mesh.faces} of the elements" },
     { ExtractTable, "mesh.quality", "  quadrilaterals", "{mesh.quality.quadrilaterals}" },

@@ -217,7 +217,7 @@ CheckLeftOut(const ExtractOptions &, const JobResult & result)
   return WarningText{ "the mesh lacks " + FormatShare((walls + pieces) / whole) + " of the area of the sheet: " +
                         std::to_string(remeshing.wallsLeftOut.size()) + " walls have no elements, and " +
                         std::to_string(result.surface->pieces ? result.surface->pieces->number : 0) +
-                        " pieces are small; mesh.remeshing.walls_left_out of the report lists the walls, a smaller "
+                        " pieces are small; mesh.remeshing.left_out of the report lists the walls, a smaller "
                         "--element-size and --min-component-size keep more",
                       { { "area_percent", 100.0 * (walls + pieces) / whole } } };
 }
