@@ -20,7 +20,7 @@ using Vector = MedialVoxelVector3;
 constexpr Index None = ~Index{ 0 };
 
 /** In sizes of elements round a node. */
-constexpr std::array<double, 6> Radii{ { 1.5, 2.5, 4.0, 6.0, 9.0, 13.0 } };
+constexpr std::array<double, 7> Radii{ { 1.5, 2.5, 4.0, 6.0, 9.0, 13.0, 20.0 } };
 
 /** In noises: root of the mean square of what a fit leaves at most, and how far points may be from their element. */
 constexpr double MostRest = 0.7;
@@ -67,7 +67,7 @@ Normalize(const Vector & vector)
 /** Solves equations of a symmetric matrix, which the numbers take the place of; false: they have no one solution. */
 template <std::size_t VSize>
 bool
-Solve(std::array<std::array<double, VSize>, VSize> & matrix, std::array<double, VSize> & values, const std::size_t size)
+SolveInPlace(std::array<std::array<double, VSize>, VSize> & matrix, std::array<double, VSize> & values, const std::size_t size)
 {
   // Cholesky, with the lower triangle in place.
   for (std::size_t i = 0; i < size; ++i)
@@ -125,46 +125,41 @@ GetQuality(const std::vector<Vector> & points, const Element & element)
 
 } // namespace
 
-/** Of the plane (3 numbers) or the quadric (6) that fits best. Rows count less towards the radius. */
-MedialVoxelWallFitting::Height
-MedialVoxelWallFitting::FitHeight(const std::vector<Row> & rows, const std::size_t numbers, const double radius)
+void
+MedialVoxelWallFitting::Equations::Add(const std::array<double, 6> & means, const double height, const double weight)
 {
-  std::array<std::array<double, 6>, 6> matrix{};
-  std::array<double, 6>                values{};
-  const auto                           getWeight = [&](const Row & row) {
-    const double share = row.distance / radius;
-    return row.number * std::max(0.01, 1.0 - share * share);
-  };
-  for (const Row & row : rows)
+  for (std::size_t i = 0; i < means.size(); ++i)
   {
-    const double weight = getWeight(row);
-    for (std::size_t i = 0; i < numbers; ++i)
+    values[i] += weight * means[i] * height;
+    for (std::size_t k = 0; k <= i; ++k)
     {
-      values[i] += weight * row.means[i] * row.height;
-      for (std::size_t k = 0; k <= i; ++k)
-      {
-        matrix[i][k] += weight * row.means[i] * row.means[k];
-      }
+      matrix[i][k] += weight * means[i] * means[k];
     }
   }
-  if (rows.size() < ElementsPerNumber * numbers || !Solve(matrix, values, numbers))
+  square += weight * height * height;
+  weights += weight;
+  ++number;
+}
+
+/** Of the plane (3 numbers) or the quadric (6) that fits best. */
+MedialVoxelWallFitting::Height
+MedialVoxelWallFitting::Equations::Solve(const std::size_t numbers) const
+{
+  auto left = matrix;
+  auto solution = values;
+  if (number < ElementsPerNumber * numbers || !SolveInPlace(left, solution, numbers))
   {
     return {};
   }
-  double sum = 0.0;
-  double weights = 0.0;
-  for (const Row & row : rows)
+  double rest = square;
+  for (std::size_t i = 0; i < numbers; ++i)
   {
-    double off = row.height;
-    for (std::size_t i = 0; i < numbers; ++i)
-    {
-      off -= values[i] * row.means[i];
-    }
-    sum += getWeight(row) * off * off;
-    weights += getWeight(row);
+    rest -= solution[i] * values[i];
   }
-  const auto number = static_cast<double>(rows.size());
-  return { true, values[0], std::sqrt(sum / weights * number / (number - static_cast<double>(numbers))) };
+  const auto rows = static_cast<double>(number);
+  return { true,
+           solution[0],
+           std::sqrt(std::max(rest, 0.0) / weights * rows / (rows - static_cast<double>(numbers))) };
 }
 
 MedialVoxelWallFitting::MedialVoxelWallFitting(const MedialVoxelRemeshedSheet & sheet, const double noise)
@@ -325,14 +320,18 @@ MedialVoxelWallFitting::GrowAround(const Frame & frame, const double radius)
   return true;
 }
 
-/** Means over the points of an element, in a frame at a place. */
-MedialVoxelWallFitting::Row
-MedialVoxelWallFitting::MakeRow(const Index element, const Frame & frame) const
+/** The means over the points of an element, in a frame at a node. */
+void
+MedialVoxelWallFitting::AddElement(const Index element, const Frame & frame, Equations & equations) const
 {
   const Sums & sums = m_Sums[element];
-  const Point  mean = MedialVoxelAddScaled({}, sums.places, 1.0 / sums.number);
-  const Point  from = MedialVoxelAddScaled(MedialVoxelSubtract(m_Middles[element], frame.place), mean, 1.0);
-  const auto   getProduct = [&](const Vector & a, const Vector & b) {
+  if (!(sums.number > 0.0))
+  {
+    return;
+  }
+  const Point mean = MedialVoxelAddScaled({}, sums.places, 1.0 / sums.number);
+  const Point from = MedialVoxelAddScaled(MedialVoxelSubtract(m_Middles[element], frame.place), mean, 1.0);
+  const auto  getProduct = [&](const Vector & a, const Vector & b) {
     double sum = 0.0;
     for (unsigned int i = 0, k = 0; i < 3; ++i)
     {
@@ -347,15 +346,14 @@ MedialVoxelWallFitting::MakeRow(const Index element, const Frame & frame) const
   };
   const auto & [u, v] = frame.axes;
   const double scale = 1.0 / frame.size;
-  return { { { 1.0,
-               MedialVoxelDot(from, u) * scale,
-               MedialVoxelDot(from, v) * scale,
-               getProduct(u, u) * scale * scale,
-               getProduct(u, v) * scale * scale,
-               getProduct(v, v) * scale * scale } },
-           MedialVoxelDot(from, frame.normal),
-           sums.number,
-           MedialVoxelNorm(from) };
+  equations.Add({ { 1.0,
+                    MedialVoxelDot(from, u) * scale,
+                    MedialVoxelDot(from, v) * scale,
+                    getProduct(u, u) * scale * scale,
+                    getProduct(u, v) * scale * scale,
+                    getProduct(v, v) * scale * scale } },
+                MedialVoxelDot(from, frame.normal),
+                sums.number);
 }
 
 /** Of the wall of some elements over a place. Rounds grow as long as a fit leaves no more than noise.
@@ -367,7 +365,7 @@ MedialVoxelWallFitting::FindHeight(const Frame &              frame,
                                    double &                   height)
 {
   bool             isFound = false;
-  std::vector<Row> rows;
+  Equations        equations;
   std::size_t      next = 0;
   double           mostOfQuadric = MostRest * m_Noise;
   m_Around = start;
@@ -380,13 +378,10 @@ MedialVoxelWallFitting::FindHeight(const Frame &              frame,
     const bool isFlat = this->GrowAround(frame, radius * frame.size);
     for (; next < m_Around.size(); ++next)
     {
-      if (m_Sums[m_Around[next]].number > 0.0)
-      {
-        rows.push_back(this->MakeRow(m_Around[next], frame));
-      }
+      this->AddElement(m_Around[next], frame, equations);
     }
-    const Height plane = FitHeight(rows, 3, radius * frame.size);
-    const Height quadric = FitHeight(rows, 6, radius * frame.size);
+    const Height plane = equations.Solve(3);
+    const Height quadric = equations.Solve(6);
     const bool   isPlane = quadric.rest > ShareOfPlane * plane.rest;
     const Height best = isPlane ? plane : quadric;
     if (!isFlat || (quadric.isSolved && best.rest > MostRest * m_Noise))
@@ -461,7 +456,7 @@ MedialVoxelWallFitting::FindPlace(const Index node)
       }
     }
   }
-  const bool   isSolved = Solve(matrix, values, 3);
+  const bool   isSolved = SolveInPlace(matrix, values, 3);
   const double length = MedialVoxelNorm(values);
   return isSolved && length <= MostMove * m_Noise ? MedialVoxelAddScaled(place, values, 1.0) : place;
 }

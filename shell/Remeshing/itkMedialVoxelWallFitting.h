@@ -60,15 +60,6 @@ private:
     double               size; ///< of elements
   };
 
-  /** Of an element in a frame: means of 1, u, v, uu, uv and vv, of which sizes are the unit, and of the height. */
-  struct Row
-  {
-    std::array<double, 6> means;
-    double                height;
-    double                number;   ///< of points
-    double                distance; ///< of their mean
-  };
-
   /** Of a fit, at the node. */
   struct Height
   {
@@ -77,8 +68,21 @@ private:
     double rest{ 0 }; ///< root of the mean square of what it leaves
   };
 
-  static Height
-  FitHeight(const std::vector<Row> & rows, std::size_t numbers, double radius);
+  /** Least squares of heights by 1, u, v, uu, uv and vv. */
+  struct Equations
+  {
+    void
+    Add(const std::array<double, 6> & means, double height, double weight);
+
+    Height
+    Solve(std::size_t numbers) const;
+
+    std::array<std::array<double, 6>, 6> matrix{}; ///< its lower triangle
+    std::array<double, 6>                values{};
+    double                               square{ 0 }; ///< of the heights
+    double                               weights{ 0 };
+    std::size_t                          number{ 0 };
+  };
 
   void
   FindNeighbors();
@@ -89,8 +93,8 @@ private:
   bool
   GrowAround(const Frame & frame, double radius);
 
-  Row
-  MakeRow(Index element, const Frame & frame) const;
+  void
+  AddElement(Index element, const Frame & frame, Equations & equations) const;
 
   bool
   FindHeight(const Frame & frame, const std::vector<Index> & start, bool isInside, double & height);

@@ -24,13 +24,13 @@ MakeDistances(const itk::MedialVoxelRemeshingSummary::Distances & distances)
 /** Where a list ends of which only the first are of interest. */
 constexpr std::size_t MostWalls = 100;
 
-/** Why a wall has no elements. */
+/** Why a wall has no elements; its length is its area over its width. */
 const char *
 GetReason(const itk::MedialVoxelWallLeftOut & wall)
 {
-  return wall.area < wall.elementSize * wall.elementSize / 2.0 ? "smaller than an element"
-         : wall.width < wall.elementSize / 2.0                 ? "narrower than half an element"
-                                                               : "no elements of good shape";
+  return wall.area < wall.elementSize * wall.width ? "smaller than an element"
+         : wall.width < wall.elementSize / 2.0     ? "narrower than half an element"
+                                                   : "no elements of good shape";
 }
 
 /** The largest of them, with the area of all. */
