@@ -205,8 +205,7 @@ MedialVoxelElementShapes::Summarize() const
     const auto [shortest, longest] = std::minmax_element(m_Lengths.begin(), m_Lengths.end());
     summary.shortestSide = *shortest;
     summary.longestSide = *longest;
-    summary.meanSide =
-      std::accumulate(m_Lengths.begin(), m_Lengths.end(), 0.0) / static_cast<double>(m_Lengths.size());
+    summary.meanSide = std::accumulate(m_Lengths.begin(), m_Lengths.end(), 0.0) / static_cast<double>(m_Lengths.size());
   }
   if (!m_Warpages.empty())
   {

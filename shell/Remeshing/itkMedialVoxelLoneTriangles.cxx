@@ -165,7 +165,7 @@ private:
       }
       const Element &    other = m_Elements[beyond];
       const unsigned int side = FindSide(other, q, p);
-      const auto at = [&](const unsigned int n) { return other.corners[(side + n) % other.numberOfCorners]; };
+      const auto         at = [&](const unsigned int n) { return other.corners[(side + n) % other.numberOfCorners]; };
       if (other.numberOfCorners == 3)
       {
         const Element joined = MakeElement({ q, r, p, at(2) }, triangle.wall);
@@ -189,11 +189,12 @@ private:
   {
     for (const unsigned int ear : { 0u, 2u, 3u, 4u })
     {
-      const auto at = [&](const unsigned int n) { return ring[(ear + n) % 5]; };
+      const auto    at = [&](const unsigned int n) { return ring[(ear + n) % 5]; };
       const Index   wall = m_Elements[quad].wall;
       const Element triangle = MakeElement({ at(4), at(0), at(1) }, wall);
       const Element rest = MakeElement({ at(1), at(2), at(3), at(4) }, wall);
-      if (this->CountElements(at(4), at(1)) == 0 && !this->HasSide(before, at(4), at(1)) && this->IsGood(triangle) && this->IsGood(rest))
+      if (this->CountElements(at(4), at(1)) == 0 && !this->HasSide(before, at(4), at(1)) && this->IsGood(triangle) &&
+          this->IsGood(rest))
       {
         m_Ways.push_back({ before, quad, triangle, rest });
       }

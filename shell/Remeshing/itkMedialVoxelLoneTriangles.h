@@ -18,7 +18,8 @@ namespace itk
  * \param complex has the points
  * \param elements those that were joined are taken out */
 void
-MedialVoxelJoinLoneTriangles(const MedialVoxelTriangleComplex & complex, std::vector<MedialVoxelShellElement> & elements);
+MedialVoxelJoinLoneTriangles(const MedialVoxelTriangleComplex &     complex,
+                             std::vector<MedialVoxelShellElement> & elements);
 
 } // end namespace itk
 

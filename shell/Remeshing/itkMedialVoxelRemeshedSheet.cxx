@@ -191,9 +191,8 @@ Add(const MedialVoxelRemeshingSummary & before, const MedialVoxelRemeshingSummar
   sum.fineArea = before.fineArea;
   sum.walls = before.walls;
   sum.wallsLeftOut.insert(sum.wallsLeftOut.end(), before.wallsLeftOut.begin(), before.wallsLeftOut.end());
-  std::stable_sort(sum.wallsLeftOut.begin(), sum.wallsLeftOut.end(), [](const auto & a, const auto & b) {
-    return a.area > b.area;
-  });
+  std::stable_sort(
+    sum.wallsLeftOut.begin(), sum.wallsLeftOut.end(), [](const auto & a, const auto & b) { return a.area > b.area; });
   sum.holesClosed = before.holesClosed + after.holesClosed;
   sum.trianglesLeftOut = before.trianglesLeftOut + after.trianglesLeftOut;
   return sum;

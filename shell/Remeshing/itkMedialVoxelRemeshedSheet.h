@@ -45,10 +45,11 @@ struct MedialVoxelRemeshingSummary
     double mean{ 0 };
   };
 
-  Distances     toFine;   ///< of the elements, the mean by area; MedialVoxelSheetDistances measures them
-  Distances     fromFine; ///< of the points of the fine sheet
+  Distances toFine;   ///< of the elements, the mean by area; MedialVoxelSheetDistances measures them
+  Distances fromFine; ///< of the points of the fine sheet
 
-  /** Means as in toFine, of elements of rims, junctions and bends, and of the others, whose share of the area this is. */
+  /** Means as in toFine, of elements of rims, junctions and bends, and of the others, whose share of the area this is.
+   */
   double toFineAtLines{ 0 };
   double toFineElsewhere{ 0 };
   double shareElsewhere{ 0 };

@@ -124,8 +124,7 @@ FindLines(const MedialVoxelRemeshedSheet & sheet)
     {
       ++last;
     }
-    if (last - first != 2 ||
-        std::abs(MedialVoxelCosine(sides[first].normal, sides[first + 1].normal)) < CosineOfBend)
+    if (last - first != 2 || std::abs(MedialVoxelCosine(sides[first].normal, sides[first + 1].normal)) < CosineOfBend)
     {
       isOnLine[sides[first].low] = isOnLine[sides[first].high] = true;
     }
@@ -184,7 +183,7 @@ MedialVoxelDistanceHistogram::Summarize() const
 
 MedialVoxelSheetDistances::MedialVoxelSheetDistances(const MedialVoxelRemeshedSheet & sheet)
 {
-  std::vector<Triangle> triangles;
+  std::vector<Triangle>   triangles;
   const std::vector<bool> isOnLine = FindLines(sheet);
   for (const MedialVoxelShellElement & element : sheet.elements)
   {

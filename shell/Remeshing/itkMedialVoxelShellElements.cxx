@@ -163,9 +163,7 @@ private:
           continue;
         }
         Pair pair{ 0.0, first, second, {} };
-        pair.element.corners = {
-          { a, m_Complex.GetOpposite(second, a, b), b, m_Complex.GetOpposite(first, a, b) }
-        };
+        pair.element.corners = { { a, m_Complex.GetOpposite(second, a, b), b, m_Complex.GetOpposite(first, a, b) } };
         pair.element.numberOfCorners = 4;
         pair.element.wall = m_Complex.GetWall(first);
         pair.quality = MedialVoxelShellQuality(m_Complex, pair.element);

@@ -32,8 +32,8 @@ constexpr double LeastCosine = 0.7;
 /** In noises, that nodes move at most. */
 constexpr double MostMove = 2.0;
 
-/** A quadric of a larger round leaves so much more than that of a smaller one at most, unless both are small, in noises:
- * walls are not round far around. */
+/** A quadric of a larger round leaves so much more than that of a smaller one at most, unless both are small, in
+ * noises: walls are not round far around. */
 constexpr double GrowthOfRest = 1.2;
 constexpr double LeastRest = 0.05;
 
@@ -67,7 +67,9 @@ Normalize(const Vector & vector)
 /** Solves equations of a symmetric matrix, which the numbers take the place of; false: they have no one solution. */
 template <std::size_t VSize>
 bool
-SolveInPlace(std::array<std::array<double, VSize>, VSize> & matrix, std::array<double, VSize> & values, const std::size_t size)
+SolveInPlace(std::array<std::array<double, VSize>, VSize> & matrix,
+             std::array<double, VSize> &                    values,
+             const std::size_t                              size)
 {
   // Cholesky, with the lower triangle in place.
   for (std::size_t i = 0; i < size; ++i)
@@ -119,8 +121,9 @@ double
 GetQuality(const std::vector<Vector> & points, const Element & element)
 {
   const auto at = [&](const unsigned int k) { return points[element.corners[k]]; };
-  return element.numberOfCorners == 3 ? MedialVoxelShellQuality(std::array<Vector, 3>{ { at(0), at(1), at(2) } })
-                                      : MedialVoxelShellQuality(std::array<Vector, 4>{ { at(0), at(1), at(2), at(3) } });
+  return element.numberOfCorners == 3
+           ? MedialVoxelShellQuality(std::array<Vector, 3>{ { at(0), at(1), at(2) } })
+           : MedialVoxelShellQuality(std::array<Vector, 4>{ { at(0), at(1), at(2), at(3) } });
 }
 
 } // namespace
@@ -157,9 +160,7 @@ MedialVoxelWallFitting::Equations::Solve(const std::size_t numbers) const
     rest -= solution[i] * values[i];
   }
   const auto rows = static_cast<double>(number);
-  return { true,
-           solution[0],
-           std::sqrt(std::max(rest, 0.0) / weights * rows / (rows - static_cast<double>(numbers))) };
+  return { true, solution[0], std::sqrt(std::max(rest, 0.0) / weights * rows / (rows - static_cast<double>(numbers))) };
 }
 
 MedialVoxelWallFitting::MedialVoxelWallFitting(const MedialVoxelRemeshedSheet & sheet, const double noise)
@@ -182,8 +183,8 @@ MedialVoxelWallFitting::MedialVoxelWallFitting(const MedialVoxelRemeshedSheet & 
     }
     for (unsigned int k = 2; k < element.numberOfCorners; ++k)
     {
-      normal = MedialVoxelAddScaled(
-        normal, MedialVoxelTriangleNormal({ { corners[0], corners[k - 1], corners[k] } }), 1.0);
+      normal =
+        MedialVoxelAddScaled(normal, MedialVoxelTriangleNormal({ { corners[0], corners[k - 1], corners[k] } }), 1.0);
       triangles.push_back({ { element.corners[0], element.corners[k - 1], element.corners[k] } });
       m_ElementOf.push_back(number);
     }
@@ -364,10 +365,10 @@ MedialVoxelWallFitting::FindHeight(const Frame &              frame,
                                    const bool                 isInside,
                                    double &                   height)
 {
-  bool             isFound = false;
-  Equations        equations;
-  std::size_t      next = 0;
-  double           mostOfQuadric = MostRest * m_Noise;
+  bool        isFound = false;
+  Equations   equations;
+  std::size_t next = 0;
+  double      mostOfQuadric = MostRest * m_Noise;
   m_Around = start;
   for (const Index element : start)
   {

@@ -15,8 +15,8 @@ namespace itk
  * \brief Moves nodes of elements to where the fine sheet is in the mean, so that flat walls are flat.
  *
  * The fine sheet has the steps of voxels, and nodes lie on it. Each element sums the points of the fine sheet that are
- * nearest to it; any part of the sheet may be given at a time. Planes and quadrics are fitted to the sums of the elements
- * round a node, on its wall, as far round as they fit. A node at a junction goes to where its walls meet.
+ * nearest to it; any part of the sheet may be given at a time. Planes and quadrics are fitted to the sums of the
+ * elements round a node, on its wall, as far round as they fit. A node at a junction goes to where its walls meet.
  * \ingroup MedialVoxel
  */
 class MedialVoxelWallFitting
@@ -108,11 +108,11 @@ private:
   const MedialVoxelRemeshedSheet &      m_Sheet;
   double                                m_Noise;
   std::unique_ptr<MedialVoxelSheetTree> m_Triangles;
-  std::vector<Index>                    m_ElementOf; ///< of each triangle
-  std::vector<Point>                    m_Middles;   ///< of the elements
-  std::vector<Point>                    m_Normals;   ///< of the elements, of length 1
-  std::vector<Sums>                     m_Sums;      ///< of each element
-  std::vector<std::array<Index, 4>>     m_Neighbors; ///< over sides of two
+  std::vector<Index>                    m_ElementOf;  ///< of each triangle
+  std::vector<Point>                    m_Middles;    ///< of the elements
+  std::vector<Point>                    m_Normals;    ///< of the elements, of length 1
+  std::vector<Sums>                     m_Sums;       ///< of each element
+  std::vector<std::array<Index, 4>>     m_Neighbors;  ///< over sides of two
   std::vector<std::vector<Index>>       m_ElementsOf; ///< of each node
   std::vector<bool>                     m_IsAround;   ///< of each element, while a height is found
   std::vector<Index>                    m_Around;

@@ -73,8 +73,7 @@ MedialVoxelListWallsLeftOut(const MedialVoxelFineSheet & fine, const std::vector
       result.push_back(wall);
     }
   }
-  std::stable_sort(
-    result.begin(), result.end(), [](const auto & a, const auto & b) { return a.area > b.area; });
+  std::stable_sort(result.begin(), result.end(), [](const auto & a, const auto & b) { return a.area > b.area; });
   return result;
 }
 

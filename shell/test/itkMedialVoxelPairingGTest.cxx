@@ -44,9 +44,9 @@ TEST(MedialVoxelPairing, FindsAsManyPairsAsThereCanBe)
   int          longWays = 0;
   for (int round = 0; round < 600; ++round)
   {
-    const auto         nodes = static_cast<unsigned int>(4 + random() % 9);
-    std::vector<Edge>  order;
-    std::set<Edge>     edges;
+    const auto        nodes = static_cast<unsigned int>(4 + random() % 9);
+    std::vector<Edge> order;
+    std::set<Edge>    edges;
     for (unsigned int k = 0; k < nodes + random() % nodes; ++k)
     {
       const Edge edge = std::minmax(random() % nodes, random() % nodes);
@@ -86,7 +86,8 @@ TEST(MedialVoxelPairing, FindsAsManyPairsAsThereCanBe)
 TEST(MedialVoxelPairing, GoesRoundCirclesOfOddLength)
 {
   Pairing pairing(8);
-  for (const Edge & edge : std::vector<Edge>{ { 1, 2 }, { 3, 4 }, { 0, 1 }, { 2, 3 }, { 4, 0 }, { 0, 5 }, { 5, 6 }, { 3, 7 } })
+  for (const Edge & edge :
+       std::vector<Edge>{ { 1, 2 }, { 3, 4 }, { 0, 1 }, { 2, 3 }, { 4, 0 }, { 0, 5 }, { 5, 6 }, { 3, 7 } })
   {
     pairing.Allow(edge.first, edge.second);
   }

@@ -77,16 +77,22 @@ TEST(MedialVoxelLoneTriangles, MeetThroughQuadrilaterals)
 TEST(MedialVoxelLoneTriangles, StayWhereNoOtherIs)
 {
   Complex complex;
-  for (const Vector3 & point : std::vector<Vector3>{ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } }, { { 0, 1, 0 } },
-                                                     { { 2, 0.5, 0 } }, { { 1, 0.5, 1 } }, { { -1, 0.5, 0 } } })
+  for (const Vector3 & point : std::vector<Vector3>{ { { 0, 0, 0 } },
+                                                     { { 1, 0, 0 } },
+                                                     { { 1, 1, 0 } },
+                                                     { { 0, 1, 0 } },
+                                                     { { 2, 0.5, 0 } },
+                                                     { { 1, 0.5, 1 } },
+                                                     { { -1, 0.5, 0 } } })
   {
     complex.AddVertex(point);
   }
   std::vector<Element> alone{ MakeElement({ 0, 1, 2, 3 }), MakeElement({ 1, 4, 2 }) };
   itk::MedialVoxelJoinLoneTriangles(complex, alone);
   EXPECT_EQ(alone.size(), 2u);
-  std::vector<Element> junction{ MakeElement({ 0, 3, 6 }), MakeElement({ 0, 1, 2, 3 }), MakeElement({ 1, 4, 2 }),
-                                 MakeElement({ 1, 5, 2 }) };
+  std::vector<Element> junction{
+    MakeElement({ 0, 3, 6 }), MakeElement({ 0, 1, 2, 3 }), MakeElement({ 1, 4, 2 }), MakeElement({ 1, 5, 2 })
+  };
   itk::MedialVoxelJoinLoneTriangles(complex, junction);
   EXPECT_EQ(junction.size(), 4u);
 }
@@ -102,7 +108,8 @@ TEST(MedialVoxelShellElements, TrianglesBecomeQuadrilaterals)
     {
       const bool   isInside = x > 0 && y > 0 && x < n && y < n;
       const double push = isInside ? 0.35 : 0.0;
-      sheet.points.push_back({ { x + push * std::sin(7.0 * x + 3.0 * y), y + push * std::cos(5.0 * x * y + 1.0), 0.0 } });
+      sheet.points.push_back(
+        { { x + push * std::sin(7.0 * x + 3.0 * y), y + push * std::cos(5.0 * x * y + 1.0), 0.0 } });
       sheet.thickness.push_back(1.0f);
     }
   }
@@ -152,12 +159,9 @@ TEST(MedialVoxelElementShapes, WarpageAnglesAndSides)
 {
   const double                  angle = 0.3;
   itk::MedialVoxelElementShapes shapes;
-  const std::vector<Vector3>    points{ { { 0, 0, 0 } },
-                                     { { 1, -1, 0 } },
-                                     { { 2, 0, 0 } },
-                                     { { 1, std::cos(angle), std::sin(angle) } },
-                                     { { 3, 0, 0 } },
-                                     { { 4, 1, 0 } } };
+  const std::vector<Vector3>    points{ { { 0, 0, 0 } }, { { 1, -1, 0 } },
+                                        { { 2, 0, 0 } }, { { 1, std::cos(angle), std::sin(angle) } },
+                                        { { 3, 0, 0 } }, { { 4, 1, 0 } } };
   shapes.Add(points, { { 0, 1, 2, 3 } }, 4);
   EXPECT_NEAR(shapes.Summarize().largestWarpage, angle * 180 / std::acos(-1.0), 1e-9);
   shapes = {};

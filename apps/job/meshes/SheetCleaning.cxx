@@ -255,9 +255,7 @@ RemoveSmallComponents(const MeshSpool & surface, const SheetCleaning & cleaning,
 } // namespace
 
 std::unique_ptr<MeshSpool>
-CleanSheet(std::unique_ptr<MeshSpool>     surface,
-           const SheetCleaning &          cleaning,
-           std::optional<PiecesLeftOut> & pieces)
+CleanSheet(std::unique_ptr<MeshSpool> surface, const SheetCleaning & cleaning, std::optional<PiecesLeftOut> & pieces)
 {
   if (cleaning.minimumBranchLength > 0)
   {

@@ -36,9 +36,7 @@ struct SheetCleaning
  * \param pieces what is left out of small components, where they are
  * \throw JobError Refused when that is more memory than allowed */
 std::unique_ptr<MeshSpool>
-CleanSheet(std::unique_ptr<MeshSpool>     surface,
-           const SheetCleaning &          cleaning,
-           std::optional<PiecesLeftOut> & pieces);
+CleanSheet(std::unique_ptr<MeshSpool> surface, const SheetCleaning & cleaning, std::optional<PiecesLeftOut> & pieces);
 
 /** Memory that cleaning takes for so many vertices and as many faces. */
 std::uint64_t

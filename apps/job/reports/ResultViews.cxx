@@ -221,7 +221,8 @@ ListViewRows()
     { ExtractTable,
       "mesh.quality",
       "  warpage",
-      "{short mesh.quality.largest_warpage} degrees at most, of 99 % up to {short mesh.quality.warpage_percentile_99}" },
+      "{short mesh.quality.largest_warpage} degrees at most, of 99 % up to {short "
+      "mesh.quality.warpage_percentile_99}" },
     { ExtractTable,
       "mesh.quality",
       "  angles",
