@@ -65,6 +65,12 @@ public:
     return m_Values.data() + this->OffsetOf(m_Box.lower[0], y, z);
   }
 
+  const float *
+  GetRow(std::int64_t y, std::int64_t z) const
+  {
+    return m_Values.data() + this->OffsetOf(m_Box.lower[0], y, z);
+  }
+
   /** The value of a voxel of the box. */
   float
   Get(const MedialVoxelIndex & voxel) const

@@ -109,7 +109,7 @@ MeasureErrors(const Volume & volume, const double thickness, const itk::MedialVo
   const itk::MedialVoxelGrayLocal                local(volume.grid, scan.background, scan.material);
   itk::MedialVoxelGrayNormals                    normals(volume.grid, scan.background, scan.material);
   const itk::MedialVoxelWallFit                  fit(scan, volume.grid.GetNumberOfActiveAxes());
-  std::vector<itk::MedialVoxelGrayLocal::Sample> samples;
+  itk::MedialVoxelGrayLocal::Samples samples;
   Errors                                         errors;
   std::size_t                                    missing = 0;
   double                                         extent = 0.0;
@@ -464,17 +464,17 @@ TEST(MedialVoxelWallFit, ValuesThatSayNothingAreNoMeasure)
   std::mt19937_64                                random(9);
   std::normal_distribution<>                     normalDistribution;
   std::uniform_real_distribution<>               uniform(0.0, 1.0);
-  std::vector<itk::MedialVoxelGrayLocal::Sample> samples;
+  itk::MedialVoxelGrayLocal::Samples samples;
   std::size_t                                    found = 0;
   for (int repetition = 0; repetition < 20000; ++repetition)
   {
     const double                  blur = 0.3 + uniform(random);
     const itk::MedialVoxelWallFit fit(MakeScan(blur, 1.0), 3);
     const Share                   wall = MakeWall(4.0 * uniform(random), blur, 2.0 * uniform(random) - 1.0);
-    samples.clear();
+    samples.Clear();
     for (int i = -80; i <= 80; ++i)
     {
-      samples.push_back({ 0.1 * i, 1.0, wall(0.1 * i) + normalDistribution(random) });
+      samples.Add(0.1 * i, 1.0, wall(0.1 * i) + normalDistribution(random));
     }
     if (const auto measured = fit.FitWall(samples))
     {

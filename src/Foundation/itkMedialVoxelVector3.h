@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace itk
 {
@@ -34,6 +35,20 @@ inline double
 MedialVoxelNorm(const MedialVoxelVector3 & a)
 {
   return std::sqrt(MedialVoxelDot(a, a));
+}
+
+/** std::floor() of numbers that fit: without vectors of SSE 4.1 the one of the library is a call. */
+inline std::int64_t
+MedialVoxelFloor(const double x)
+{
+  const auto truncated = static_cast<std::int64_t>(x);
+  return truncated - (x < static_cast<double>(truncated) ? 1 : 0);
+}
+
+inline std::int64_t
+MedialVoxelCeil(const double x)
+{
+  return -MedialVoxelFloor(-x);
 }
 
 } // end namespace itk

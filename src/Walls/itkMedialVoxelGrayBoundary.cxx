@@ -31,36 +31,46 @@ struct MedialVoxelGrayBoundary::Field
   double                  sign; // positive values are object
   MedialVoxelBox          box;  // of the voxels that may be read
 
+  const float *               values{ gray.GetRow(gray.GetBox().lower[1], gray.GetBox().lower[2]) };
+  std::array<std::int64_t, 3> pitches{
+    { 1, gray.GetBox().Extent(0), gray.GetBox().Extent(0) * gray.GetBox().Extent(1) }
+  };
+
+  /** The offset of a voxel along an axis, which beyond a face of the image is that of the outermost voxel. */
+  std::int64_t
+  GetOffset(const unsigned int axis, const std::int64_t voxel) const
+  {
+    return (std::clamp<std::int64_t>(voxel, 0, grid.GetSize()[axis] - 1) - gray.GetBox().lower[axis]) * pitches[axis];
+  }
+
+  /** A share of 0 does not look at the other value, which need not be finite. */
+  static double
+  Between(const double first, const double second, const double share)
+  {
+    return share > 0.0 ? (1.0 - share) * first + share * second : first;
+  }
+
   /** Trilinear; axes of one voxel drop out. */
   double
   At(const PositionType & position) const
   {
-    MedialVoxelIndex below;
-    MedialVoxelIndex above;
-    PositionType     share;
+    std::int64_t below[3];
+    std::int64_t above[3];
+    PositionType share;
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
-      const double       floor = std::floor(position[axis]);
-      const auto         index = static_cast<std::int64_t>(floor);
-      const std::int64_t last = grid.GetSize()[axis] - 1;
-      share[axis] = position[axis] - floor;
-      below[axis] = std::clamp<std::int64_t>(index, 0, last);
-      above[axis] = share[axis] > 0.0 ? std::clamp<std::int64_t>(index + 1, 0, last) : below[axis];
+      const std::int64_t index = MedialVoxelFloor(position[axis]);
+      share[axis] = position[axis] - static_cast<double>(index);
+      below[axis] = this->GetOffset(axis, index);
+      above[axis] = share[axis] > 0.0 ? this->GetOffset(axis, index + 1) : below[axis];
     }
-    double sum = 0.0;
-    for (unsigned int corner = 0; corner < 8; ++corner)
-    {
-      double           weight = 1.0;
-      MedialVoxelIndex voxel;
-      for (unsigned int axis = 0; axis < 3; ++axis)
-      {
-        const bool isAbove = ((corner >> axis) & 1u) != 0;
-        weight *= isAbove ? share[axis] : 1.0 - share[axis];
-        voxel[axis] = isAbove ? above[axis] : below[axis];
-      }
-      sum += weight > 0.0 ? weight * static_cast<double>(gray.Get(voxel)) : 0.0;
-    }
-    return sign * (sum - level);
+    const auto alongX = [&](const std::int64_t row) {
+      return Between(static_cast<double>(values[row + below[0]]), static_cast<double>(values[row + above[0]]), share[0]);
+    };
+    const auto alongY = [&](const std::int64_t slice) {
+      return Between(alongX(slice + below[1]), alongX(slice + above[1]), share[1]);
+    };
+    return sign * (Between(alongY(below[2]), alongY(above[2]), share[2]) - level);
   }
 
   /** Of the voxels around a position, smoothed across each axis so that steep components count as much as others
@@ -69,21 +79,61 @@ struct MedialVoxelGrayBoundary::Field
   GetGradient(const PositionType & position) const
   {
     constexpr double       smooth[3] = { 3.0 / 16, 10.0 / 16, 3.0 / 16 };
-    PositionType           gradient{ { 0.0, 0.0, 0.0 } };
     const MedialVoxelIndex margin = grid.GetUnitMargin();
-    for (std::int64_t z = -margin[2]; z <= margin[2]; ++z)
+    std::int64_t           offsets[3][4];
+    PositionType           share;
+    for (unsigned int axis = 0; axis < 3; ++axis)
     {
-      for (std::int64_t y = -margin[1]; y <= margin[1]; ++y)
+      const std::int64_t floor = MedialVoxelFloor(position[axis]);
+      share[axis] = position[axis] - static_cast<double>(floor);
+      for (std::int64_t i = 0; i < 4; ++i)
       {
-        for (std::int64_t x = -margin[0]; x <= margin[0]; ++x)
+        const std::int64_t step = std::clamp(i - 1, -margin[axis], margin[axis] + (share[axis] > 0.0 ? 1 : 0));
+        offsets[axis][i] = this->GetOffset(axis, floor + step);
+      }
+    }
+    // Values between voxels, along one axis after the other.
+    double alongX[4][4][3];
+    double alongY[4][3][3];
+    double around[3][3][3];
+    for (unsigned int z = 0; z < 4; ++z)
+    {
+      for (unsigned int y = 0; y < 4; ++y)
+      {
+        const float * const row = values + (offsets[2][z] + offsets[1][y]);
+        for (unsigned int x = 0; x < 3; ++x)
         {
-          const double value = this->At({ { position[0] + static_cast<double>(x),
-                                            position[1] + static_cast<double>(y),
-                                            position[2] + static_cast<double>(z) } });
-          gradient[0] += static_cast<double>(x) * smooth[y + 1] * smooth[z + 1] * value;
-          gradient[1] += static_cast<double>(y) * smooth[x + 1] * smooth[z + 1] * value;
-          gradient[2] += static_cast<double>(z) * smooth[x + 1] * smooth[y + 1] * value;
+          alongX[z][y][x] = Between(
+            static_cast<double>(row[offsets[0][x]]), static_cast<double>(row[offsets[0][x + 1]]), share[0]);
         }
+      }
+      for (unsigned int y = 0; y < 3; ++y)
+      {
+        for (unsigned int x = 0; x < 3; ++x)
+        {
+          alongY[z][y][x] = Between(alongX[z][y][x], alongX[z][y + 1][x], share[1]);
+        }
+      }
+    }
+    for (unsigned int z = 0; z < 3; ++z)
+    {
+      for (unsigned int y = 0; y < 3; ++y)
+      {
+        for (unsigned int x = 0; x < 3; ++x)
+        {
+          around[z][y][x] = sign * (Between(alongY[z][y][x], alongY[z + 1][y][x], share[2]) - level);
+        }
+      }
+    }
+    PositionType gradient{ { 0.0, 0.0, 0.0 } };
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      for (unsigned int k = 0; k < 3; ++k)
+      {
+        const double weight = smooth[i] * smooth[k];
+        gradient[0] += weight * (around[k][i][2] - around[k][i][0]);
+        gradient[1] += weight * (around[k][2][i] - around[k][0][i]);
+        gradient[2] += weight * (around[2][k][i] - around[0][k][i]);
       }
     }
     for (unsigned int axis = 0; axis < 3; ++axis)
@@ -101,8 +151,7 @@ struct MedialVoxelGrayBoundary::Field
     {
       const double last = static_cast<double>(grid.GetSize()[axis] - 1);
       const double inImage = std::clamp(position[axis], 0.0, last);
-      if (!(std::floor(inImage) >= static_cast<double>(box.lower[axis]) &&
-            std::ceil(inImage) <= static_cast<double>(box.upper[axis] - 1)))
+      if (!(inImage >= static_cast<double>(box.lower[axis]) && inImage <= static_cast<double>(box.upper[axis] - 1)))
       {
         return false;
       }
@@ -122,12 +171,13 @@ struct MedialVoxelGrayBoundary::Field
     {
       return false;
     }
-    double    here = this->At(start);
-    const int direction = here < 0.0 ? 1 : -1;
+    double     here = this->At(start);
+    const int  direction = here < 0.0 ? 1 : -1;
+    const bool reachesAll = this->Reaches(Along(start, line, (direction > 0 ? last : first) * step));
     for (int i = direction; i >= first && i <= last; i += direction)
     {
       const PositionType position = Along(start, line, i * step);
-      if (!this->Reaches(position))
+      if (!reachesAll && !this->Reaches(position))
       {
         return false;
       }

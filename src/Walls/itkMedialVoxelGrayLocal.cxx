@@ -3,6 +3,7 @@
 #include "itkMedialVoxelGrayLocal.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace itk
@@ -10,7 +11,6 @@ namespace itk
 namespace
 {
 
-using Index = MedialVoxelIndex;
 using Vector = MedialVoxelVector3;
 
 } // namespace
@@ -28,15 +28,13 @@ MedialVoxelGrayLocal::MedialVoxelGrayLocal(const MedialVoxelGrid & grid, const d
   , m_Scale(1.0 / (material - background))
 {}
 
-double
-MedialVoxelGrayLocal::GetValue(const MedialVoxelGray & gray, const Index & voxel) const
+void
+MedialVoxelGrayLocal::Samples::Normalize(const double background, const double material)
 {
-  Index inside = voxel;
-  for (unsigned int axis = 0; axis < 3; ++axis)
+  for (std::size_t i = 0; i < m_Number; ++i)
   {
-    inside[axis] = std::clamp<std::int64_t>(voxel[axis], 0, m_Grid.GetSize()[axis] - 1);
+    m_Value[i] = static_cast<float>((static_cast<double>(m_Value[i]) - background) / (material - background));
   }
-  return (static_cast<double>(gray.Get(inside)) - m_Background) * m_Scale;
 }
 
 void
@@ -44,9 +42,9 @@ MedialVoxelGrayLocal::FindSamples(const MedialVoxelGray & gray,
                                   const Vector &          place,
                                   const Vector &          direction,
                                   const double            reach,
-                                  std::vector<Sample> &   samples) const
+                                  Samples &               samples) const
 {
-  samples.clear();
+  samples.Clear();
   unsigned int steepest = 0;
   for (unsigned int axis = 1; axis < 3; ++axis)
   {
@@ -63,30 +61,41 @@ MedialVoxelGrayLocal::FindSamples(const MedialVoxelGray & gray,
   const double extentU = extentOf(u);
   const double extentV = extentOf(v);
   const double inverse = 1.0 / (Radius * Radius);
-  const auto   begin = static_cast<std::int64_t>(std::ceil(place[steepest] - slices));
-  const auto   end = static_cast<std::int64_t>(std::floor(place[steepest] + slices));
-  Index        voxel{};
-  Vector       d{};
-  for (voxel[steepest] = begin; voxel[steepest] <= end; ++voxel[steepest])
+  const auto   begin = MedialVoxelCeil(place[steepest] - slices);
+  const auto   end = MedialVoxelFloor(place[steepest] + slices);
+  const MedialVoxelBox &            box = gray.GetBox();
+  const float * const               values = gray.GetRow(box.lower[1], box.lower[2]);
+  const std::array<std::int64_t, 3> pitches{ { 1, box.Extent(0), box.Extent(0) * box.Extent(1) } };
+  // The offset of a voxel along an axis, which beyond a face of the image is that of the outermost voxel.
+  const auto offsetOf = [&](const unsigned int axis, const std::int64_t voxel) {
+    return (std::clamp<std::int64_t>(voxel, 0, m_Grid.GetSize()[axis] - 1) - box.lower[axis]) * pitches[axis];
+  };
+  Vector d{};
+  for (std::int64_t w = begin; w <= end; ++w)
   {
-    d[steepest] = static_cast<double>(voxel[steepest]) - place[steepest];
+    d[steepest] = static_cast<double>(w) - place[steepest];
     const double times = d[steepest] / direction[steepest];
     const double centerU = place[u] + times * direction[u];
     const double centerV = place[v] + times * direction[v];
-    const auto   endU = static_cast<std::int64_t>(std::floor(centerU + extentU));
-    const auto   endV = static_cast<std::int64_t>(std::floor(centerV + extentV));
-    for (voxel[v] = static_cast<std::int64_t>(std::ceil(centerV - extentV)); voxel[v] <= endV; ++voxel[v])
+    const auto   beginU = MedialVoxelCeil(centerU - extentU);
+    const auto   endU = MedialVoxelFloor(centerU + extentU);
+    const auto   endV = MedialVoxelFloor(centerV + extentV);
+    for (auto k = MedialVoxelCeil(centerV - extentV); k <= endV; ++k)
     {
-      d[v] = static_cast<double>(voxel[v]) - place[v];
-      for (voxel[u] = static_cast<std::int64_t>(std::ceil(centerU - extentU)); voxel[u] <= endU; ++voxel[u])
+      d[v] = static_cast<double>(k) - place[v];
+      const float * const row = values + (offsetOf(steepest, w) + offsetOf(v, k));
+      const double        alongRow = d[steepest] * direction[steepest] + d[v] * direction[v];
+      const double        squaredRow = d[steepest] * d[steepest] + d[v] * d[v];
+      samples.Reserve(static_cast<std::size_t>(std::max<std::int64_t>(0, endU - beginU + 1)) + 1);
+      const bool isInside = beginU >= 0 && endU < m_Grid.GetSize()[u];
+      for (std::int64_t i = beginU; i <= endU; ++i)
       {
-        d[u] = static_cast<double>(voxel[u]) - place[u];
-        const double along = MedialVoxelDot(d, direction);
-        const double weight = 1.0 - (MedialVoxelDot(d, d) - along * along) * inverse;
-        if (weight > 0.0 && std::abs(along) <= reach)
-        {
-          samples.push_back({ along, weight, this->GetValue(gray, voxel) });
-        }
+        const std::int64_t offset = isInside ? (i - box.lower[u]) * pitches[u] : offsetOf(u, i);
+        d[u] = static_cast<double>(i) - place[u];
+        const double along = alongRow + d[u] * direction[u];
+        const double weight = 1.0 - ((squaredRow + d[u] * d[u]) - along * along) * inverse;
+        const double value = (static_cast<double>(row[offset]) - m_Background) * m_Scale;
+        samples.Put(along, weight, value, weight > 0.0 && std::abs(along) <= reach);
       }
     }
   }

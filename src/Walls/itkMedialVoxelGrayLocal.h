@@ -8,6 +8,7 @@
 
 #include "MedialVoxelExport.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -23,15 +24,86 @@ namespace itk
 class MedialVoxel_EXPORT MedialVoxelGrayLocal
 {
 public:
-  /** \struct Sample
-   * \brief One voxel near a line.
+  /** \class Samples
+   * \brief Voxels near a line.
    * \ingroup MedialVoxel
    */
-  struct Sample
+  class Samples
   {
-    double along;  ///< its place along the line, from the place that was asked for
-    double weight; ///< from 0, at Radius from the line, to 1, on the line
-    double value;  ///< normalized
+  public:
+    void
+    Clear()
+    {
+      m_Number = 0;
+    }
+
+    std::size_t
+    GetNumber() const
+    {
+      return m_Number;
+    }
+
+    /** Room for so many more, that Put() needs. */
+    void
+    Reserve(const std::size_t further)
+    {
+      if (m_Number + further > m_Along.size())
+      {
+        const std::size_t room = 2 * (m_Number + further);
+        m_Along.resize(room);
+        m_Weight.resize(room);
+        m_Value.resize(room);
+      }
+    }
+
+    /** Where \a counts is false, the next one takes its place.
+     *
+     * \param along   its place along the line, from the place that was asked for
+     * \param weight  from 0, at Radius from the line, to 1, on the line
+     * \param value   normalized */
+    void
+    Put(const double along, const double weight, const double value, const bool counts = true)
+    {
+      m_Along[m_Number] = static_cast<float>(along);
+      m_Weight[m_Number] = static_cast<float>(weight);
+      m_Value[m_Number] = static_cast<float>(value);
+      m_Number += counts ? 1 : 0;
+    }
+
+    void
+    Add(const double along, const double weight, const double value)
+    {
+      this->Reserve(1);
+      this->Put(along, weight, value);
+    }
+
+    /** The values of other levels. */
+    void
+    Normalize(double background, double material);
+
+    const float *
+    GetAlong() const
+    {
+      return m_Along.data();
+    }
+
+    const float *
+    GetWeights() const
+    {
+      return m_Weight.data();
+    }
+
+    const float *
+    GetValues() const
+    {
+      return m_Value.data();
+    }
+
+  private:
+    std::vector<float> m_Along;
+    std::vector<float> m_Weight;
+    std::vector<float> m_Value;
+    std::size_t        m_Number{ 0 };
   };
 
   /** Distance from a line at which voxels no longer count: 9 lines a voxel apart average as many values. */
@@ -49,12 +121,9 @@ public:
               const MedialVoxelVector3 & place,
               const MedialVoxelVector3 & direction,
               double                     reach,
-              std::vector<Sample> &      samples) const;
+              Samples &                  samples) const;
 
 private:
-  double
-  GetValue(const MedialVoxelGray & gray, const MedialVoxelIndex & voxel) const;
-
   MedialVoxelGrid m_Grid;
   double          m_Background;
   double          m_Scale; // to the contrast 1

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelGrayNormals.h"
 
+#include "itkMedialVoxelLanes.h"
 #include "itkMedialVoxelNormalDistribution.h"
 
 #include <algorithm>
@@ -24,8 +25,8 @@ constexpr std::size_t Inner = 8;
 constexpr std::size_t Outer = 14;
 
 /** Blocks that are kept: blocks with the same index modulo these numbers take turns. A window has at most two along
- * each axis, and tiles seldom have more. */
-constexpr std::int64_t Kept[3] = { 16, 8, 2 };
+ * each axis; both sides of a wall may be 16 voxels from its cell. */
+constexpr std::int64_t Kept[3] = { 16, 8, 4 };
 
 /** The blocks that a voxel is in, along an axis. */
 std::int64_t
@@ -40,7 +41,7 @@ BlockOf(const std::int64_t voxel)
  * \tparam VStride  from one value to the next along the axis
  * \tparam VNumber  of times that the axis is there */
 template <std::size_t VStride, std::size_t VNumber, typename TOperation>
-void
+MEDIALVOXEL_INLINE void
 Shorten(const float * const from, float * const to, TOperation operation)
 {
   for (std::size_t n = 0; n < VNumber; ++n)
@@ -55,7 +56,7 @@ Shorten(const float * const from, float * const to, TOperation operation)
 }
 
 /** (1 2 1) / 4 */
-float
+MEDIALVOXEL_INLINE float
 GetSmooth(const float * const value, const std::size_t stride)
 {
   return 0.25F * (*(value - stride) + value[stride]) + 0.5F * *value;
@@ -63,20 +64,21 @@ GetSmooth(const float * const value, const std::size_t stride)
 
 /** 240 times the derivative of values that are smoothed by (1 2 1) / 4, right to the sixth power of the frequency: the
  * components of a gradient must fit together, or normals would turn to the axes. */
-float
+MEDIALVOXEL_INLINE float
 GetDifference(const float * const value, const std::size_t stride)
 {
-  const auto across = [&](const std::size_t steps) { return value[steps * stride] - *(value - steps * stride); };
-  return 95.0F * across(1) + (14.0F * across(2) - across(3));
+  return 95.0F * (value[stride] - *(value - stride)) +
+         (14.0F * (value[2 * stride] - *(value - 2 * stride)) - (value[3 * stride] - *(value - 3 * stride)));
 }
 
 /** A symmetric matrix. */
 using Matrix = std::array<std::array<double, 3>, 3>;
 
-/** The eigenvector of the largest eigenvalue, by rotations of Jacobi in a fixed order. */
+/** The eigenvector of the largest eigenvalue of a matrix with the trace 1, by rotations of Jacobi in a fixed order. */
 Vector
 FindFirstEigenvector(Matrix a)
 {
+  constexpr double negligible = 1e-15;
   Matrix vectors{ { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } } }; // columns
   for (int sweep = 0; sweep < 6; ++sweep)
   {
@@ -84,7 +86,7 @@ FindFirstEigenvector(Matrix a)
     {
       for (unsigned int q = p + 1; q < 3; ++q)
       {
-        if (a[p][q] == 0.0)
+        if (std::abs(a[p][q]) < negligible)
         {
           continue;
         }
@@ -122,10 +124,68 @@ FindFirstEigenvector(Matrix a)
 }
 
 /** exp(-d^2 / (2 sigma^2)), but for a factor. */
-double
+float
 GetWindowWeight(const double d)
 {
-  return MedialVoxelNormalDistribution::Get().Density(d / WindowSigma);
+  return static_cast<float>(MedialVoxelNormalDistribution::Get().Density(d / WindowSigma));
+}
+
+/** The gradients of a block from its values and those around it, x fastest. */
+MEDIALVOXEL_FOR_PROCESSORS void
+FindGradients(const float * const values, float * const x, float * const y, float * const z)
+{
+  // Smoothed along one axis, and along two.
+  std::array<float, Inner * Outer * Outer> once;
+  std::array<float, Inner * Inner * Outer> twice;
+  Shorten<Outer, Outer>(values, once.data(), [](const auto... at) { return GetSmooth(at...); });
+  Shorten<Outer * Inner, 1>(once.data(), twice.data(), [](const auto... at) { return GetSmooth(at...); });
+  Shorten<1, Inner * Inner>(twice.data(), x, [](const auto... at) { return GetDifference(at...); });
+  Shorten<1, Inner * Outer>(once.data(), twice.data(), [](const auto... at) { return GetSmooth(at...); });
+  Shorten<Inner * Inner, 1>(twice.data(), z, [](const auto... at) { return GetDifference(at...); });
+  Shorten<Outer * Outer, 1>(values, once.data(), [](const auto... at) { return GetSmooth(at...); });
+  Shorten<1, Outer * Inner>(once.data(), twice.data(), [](const auto... at) { return GetSmooth(at...); });
+  Shorten<Inner, Inner>(twice.data(), y, [](const auto... at) { return GetDifference(at...); });
+}
+
+/** xx, xy, xz, yy, yz, zz of tensors at the places of a row. */
+using Lanes = MedialVoxelLanes;
+using RowSums = std::array<Lanes, 6>;
+static_assert(MedialVoxelNumberOfLanes == Inner, "a row of a block has a lane for each voxel");
+
+/** Rows of a block that are in a window, with the weights of their places along y and z. */
+struct Rows
+{
+  std::array<const float *, 3> gradients; // of the first row
+  std::array<const float *, 2> weights;
+  std::array<std::size_t, 2>   numbers;
+};
+
+/** Adds the products of gradients where they are inside the window. */
+MEDIALVOXEL_FOR_PROCESSORS void
+AddRows(const Rows & rows, const MedialVoxelIntegerLanes & isInside, RowSums & sums)
+{
+  Lanes xx = sums[0], xy = sums[1], xz = sums[2], yy = sums[3], yz = sums[4], zz = sums[5];
+  for (std::size_t j = 0; j < rows.numbers[1]; ++j)
+  {
+    for (std::size_t i = 0; i < rows.numbers[0]; ++i)
+    {
+      const std::size_t row = (j * Inner + i) * Inner;
+      const float       weight = rows.weights[0][i] * rows.weights[1][j];
+      const Lanes       x = MedialVoxelSelect(isInside, MedialVoxelLoad(rows.gradients[0] + row), Lanes{});
+      const Lanes       y = MedialVoxelSelect(isInside, MedialVoxelLoad(rows.gradients[1] + row), Lanes{});
+      const Lanes       z = MedialVoxelSelect(isInside, MedialVoxelLoad(rows.gradients[2] + row), Lanes{});
+      const Lanes       weightedX = weight * x;
+      const Lanes       weightedY = weight * y;
+      const Lanes       weightedZ = weight * z;
+      xx += weightedX * x;
+      xy += weightedX * y;
+      xz += weightedX * z;
+      yy += weightedY * y;
+      yz += weightedY * z;
+      zz += weightedZ * z;
+    }
+  }
+  sums = { { xx, xy, xz, yy, yz, zz } };
 }
 
 } // namespace
@@ -133,33 +193,41 @@ GetWindowWeight(const double d)
 /** The voxels around a place that count, and their weights along each axis. */
 struct MedialVoxelGrayNormals::Window
 {
-  MedialVoxelBox                                         box;
-  std::array<std::array<double, 2 * WindowReach + 1>, 3> weights{};
-
-  Window(const MedialVoxelGrid & grid, const Vector & place)
-  {
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      if (!grid.IsActive(axis))
-      {
-        box.upper[axis] = 1;
-        weights[axis][0] = 1.0;
-        continue;
-      }
-      box.lower[axis] = static_cast<std::int64_t>(std::ceil(place[axis] - WindowReach));
-      box.upper[axis] = static_cast<std::int64_t>(std::floor(place[axis] + WindowReach)) + 1;
-      for (std::int64_t i = 0; i < box.Extent(axis); ++i)
-      {
-        weights[axis][static_cast<std::size_t>(i)] =
-          GetWindowWeight(static_cast<double>(box.lower[axis] + i) - place[axis]);
-      }
-    }
-  }
+  MedialVoxelBox  box;
+  const Weights & weights;
 
   bool
   HasInside(const unsigned int axis, const std::int64_t voxel) const
   {
     return voxel >= box.lower[axis] && voxel < box.upper[axis];
+  }
+
+  /** Adds the rows of a block that are in the window. */
+  void
+  Add(const Block & block, const MedialVoxelIndex & origin, RowSums & sums) const
+  {
+    MedialVoxelIntegerLanes isInside;
+    for (std::size_t i = 0; i < Inner; ++i)
+    {
+      isInside[i] = this->HasInside(0, origin[0] + static_cast<std::int64_t>(i)) ? -1 : 0;
+    }
+    Rows        rows;
+    std::size_t first = 0;
+    std::size_t pitch = Inner;
+    for (const unsigned int axis : { 1u, 2u })
+    {
+      const std::int64_t begin = std::max(box.lower[axis], origin[axis]);
+      const std::int64_t end = std::min(box.upper[axis], origin[axis] + Extent);
+      rows.numbers[axis - 1] = static_cast<std::size_t>(end - begin);
+      rows.weights[axis - 1] = weights[axis].data() + (begin - box.lower[axis]);
+      first += static_cast<std::size_t>(begin - origin[axis]) * pitch;
+      pitch *= Inner;
+    }
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      rows.gradients[axis] = block.gradient[axis].data() + first;
+    }
+    AddRows(rows, isInside, sums);
   }
 };
 
@@ -198,28 +266,26 @@ MedialVoxelGrayNormals::Compute(const MedialVoxelGray & gray, const MedialVoxelI
   }
   std::array<float, Outer * Outer * Outer> values;
   float *                                  value = values.data();
+  const std::int64_t                       beginX = gray.GetBox().lower[0];
+  const std::int64_t                       firstX = origin[0] - Margin - beginX;
+  const bool isInside = firstX >= 0 && firstX + static_cast<std::int64_t>(Outer) <= gray.GetBox().Extent(0);
   for (std::size_t z = 0; z < Outer; ++z)
   {
     for (std::size_t y = 0; y < Outer; ++y)
     {
+      const float * const row = gray.GetRow(places[y][1], places[z][2]);
       for (std::size_t x = 0; x < Outer; ++x)
       {
-        const double own = gray.Get({ { places[x][0], places[y][1], places[z][2] } });
-        *value++ = static_cast<float>((own - m_Background) * m_Scale);
+        value[x] = isInside ? row[firstX + static_cast<std::int64_t>(x)] : row[places[x][0] - beginX];
       }
+      for (std::size_t x = 0; x < Outer; ++x)
+      {
+        value[x] = static_cast<float>((static_cast<double>(value[x]) - m_Background) * m_Scale);
+      }
+      value += Outer;
     }
   }
-  // Smoothed along one axis, and along two.
-  std::array<float, Inner * Outer * Outer> once;
-  std::array<float, Inner * Inner * Outer> twice;
-  Shorten<Outer, Outer>(values.data(), once.data(), GetSmooth);
-  Shorten<Outer * Inner, 1>(once.data(), twice.data(), GetSmooth);
-  Shorten<1, Inner * Inner>(twice.data(), block.gradient[0].data(), GetDifference);
-  Shorten<1, Inner * Outer>(once.data(), twice.data(), GetSmooth);
-  Shorten<Inner * Inner, 1>(twice.data(), block.gradient[2].data(), GetDifference);
-  Shorten<Outer * Outer, 1>(values.data(), once.data(), GetSmooth);
-  Shorten<1, Outer * Inner>(once.data(), twice.data(), GetSmooth);
-  Shorten<Inner, Inner>(twice.data(), block.gradient[1].data(), GetDifference);
+  FindGradients(values.data(), block.gradient[0].data(), block.gradient[1].data(), block.gradient[2].data());
 }
 
 auto
@@ -247,57 +313,6 @@ MedialVoxelGrayNormals::GetBlock(const MedialVoxelGray &  gray,
   return block;
 }
 
-/** Adds a row of gradients where it is inside the window. */
-void
-MedialVoxelGrayNormals::AddRow(const std::array<const float *, 3> & row,
-                               const std::array<bool, Extent> &     isInside,
-                               const double                         weight,
-                               RowSums &                            sums)
-{
-  for (std::size_t i = 0; i < Inner; ++i)
-  {
-    const double x = isInside[i] ? static_cast<double>(row[0][i]) : 0.0;
-    const double y = isInside[i] ? static_cast<double>(row[1][i]) : 0.0;
-    const double z = isInside[i] ? static_cast<double>(row[2][i]) : 0.0;
-    const double weightedX = weight * x;
-    const double weightedY = weight * y;
-    sums[0][i] += weightedX * x;
-    sums[1][i] += weightedX * y;
-    sums[2][i] += weightedX * z;
-    sums[3][i] += weightedY * y;
-    sums[4][i] += weightedY * z;
-    sums[5][i] += weight * z * z;
-  }
-}
-
-/** Adds the rows of a block that are in the window. */
-void
-MedialVoxelGrayNormals::AddBlock(const Block &            block,
-                                 const MedialVoxelIndex & origin,
-                                 const Window &           window,
-                                 RowSums &                sums)
-{
-  std::array<bool, Inner> isInside;
-  for (std::size_t i = 0; i < Inner; ++i)
-  {
-    isInside[i] = window.HasInside(0, origin[0] + static_cast<std::int64_t>(i));
-  }
-  const auto beginOf = [&](const unsigned int axis) { return std::max(window.box.lower[axis], origin[axis]); };
-  const auto endOf = [&](const unsigned int axis) { return std::min(window.box.upper[axis], origin[axis] + Extent); };
-  for (std::int64_t z = beginOf(2); z < endOf(2); ++z)
-  {
-    for (std::int64_t y = beginOf(1); y < endOf(1); ++y)
-    {
-      const auto row = static_cast<std::size_t>(((z - origin[2]) * Extent + (y - origin[1])) * Extent);
-      AddRow({ { block.gradient[0].data() + row, block.gradient[1].data() + row, block.gradient[2].data() + row } },
-             isInside,
-             window.weights[1][static_cast<std::size_t>(y - window.box.lower[1])] *
-               window.weights[2][static_cast<std::size_t>(z - window.box.lower[2])],
-             sums);
-    }
-  }
-}
-
 /** Products of gradients, with the weights of their voxels. The order of the sums depends on the place alone. */
 auto
 MedialVoxelGrayNormals::GetTensor(const MedialVoxelGray & gray, const Window & window) -> Components
@@ -319,7 +334,7 @@ MedialVoxelGrayNormals::GetTensor(const MedialVoxelGray & gray, const Window & w
       for (index[1] = first[1]; index[1] <= last[1]; ++index[1])
       {
         const MedialVoxelIndex origin{ { Extent * index[0], Extent * index[1], Extent * index[2] } };
-        AddBlock(this->GetBlock(gray, index, window.box), origin, window, sums);
+        window.Add(this->GetBlock(gray, index, window.box), origin, sums);
       }
     }
     for (std::int64_t i = 0; i < Extent; ++i)
@@ -327,10 +342,10 @@ MedialVoxelGrayNormals::GetTensor(const MedialVoxelGray & gray, const Window & w
       const std::int64_t x = Extent * index[0] + i;
       if (x >= window.box.lower[0] && x < window.box.upper[0])
       {
-        const double weight = window.weights[0][static_cast<std::size_t>(x - window.box.lower[0])];
+        const auto weight = static_cast<double>(window.weights[0][static_cast<std::size_t>(x - window.box.lower[0])]);
         for (std::size_t k = 0; k < tensor.size(); ++k)
         {
-          tensor[k] += weight * sums[k][static_cast<std::size_t>(i)];
+          tensor[k] += weight * static_cast<double>(sums[k][static_cast<std::size_t>(i)]);
         }
       }
     }
@@ -338,10 +353,30 @@ MedialVoxelGrayNormals::GetTensor(const MedialVoxelGray & gray, const Window & w
   return tensor;
 }
 
+MedialVoxelBox
+MedialVoxelGrayNormals::MoveWindow(const Vector & place)
+{
+  MedialVoxelBox box;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const bool isActive = m_Grid.IsActive(axis);
+    box.lower[axis] = isActive ? MedialVoxelCeil(place[axis] - WindowReach) : 0;
+    box.upper[axis] = isActive ? MedialVoxelFloor(place[axis] + WindowReach) + 1 : 1;
+    // Windows around cells have the same weights.
+    const double first = isActive ? static_cast<double>(box.lower[axis]) - place[axis] : 0.0;
+    for (std::size_t i = 0; i < m_Weights[axis].size() && first != m_FirstDistances[axis]; ++i)
+    {
+      m_Weights[axis][i] = isActive ? GetWindowWeight(first + static_cast<double>(i)) : 1.0F;
+    }
+    m_FirstDistances[axis] = first;
+  }
+  return box;
+}
+
 bool
 MedialVoxelGrayNormals::Find(const MedialVoxelGray & gray, const Vector & place, Vector & normal)
 {
-  const auto [xx, xy, xz, yy, yz, zz] = this->GetTensor(gray, Window(m_Grid, place));
+  const auto [xx, xy, xz, yy, yz, zz] = this->GetTensor(gray, Window{ this->MoveWindow(place), m_Weights });
   const double trace = (xx + yy) + zz;
   if (!(trace > 0.0) || !std::isfinite(trace))
   {

@@ -61,22 +61,18 @@ private:
 
   struct Window;
 
-  /** xx, xy, xz, yy, yz, zz of a tensor, and the sums of each at the places of the rows of a block; in double
-   * precision, as values may be in any unit. */
+  /** Of the voxels of a window along each axis. */
+  using Weights = std::array<std::array<float, 9>, 3>;
+
+  /** The window around a place; sets its weights. */
+  MedialVoxelBox
+  MoveWindow(const MedialVoxelVector3 & place);
+
+  /** xx, xy, xz, yy, yz, zz of a tensor. */
   using Components = std::array<double, 6>;
-  using RowSums = std::array<std::array<double, Extent>, 6>;
 
   Components
   GetTensor(const MedialVoxelGray & gray, const Window & window);
-
-  static void
-  AddBlock(const Block & block, const MedialVoxelIndex & origin, const Window & window, RowSums & sums);
-
-  static void
-  AddRow(const std::array<const float *, 3> & row,
-         const std::array<bool, Extent> &     isInside,
-         double                               weight,
-         RowSums &                            sums);
 
   /** The block with an index, in blocks, that knows the gradients of a box as far as that is in the block. */
   const Block &
@@ -89,6 +85,9 @@ private:
   double             m_Background;
   double             m_Scale; // to the contrast 1
   std::vector<Block> m_Blocks;
+
+  Weights               m_Weights{};
+  std::array<double, 3> m_FirstDistances{ { 1.0, 1.0, 1.0 } }; // that no window has
 };
 
 } // end namespace itk

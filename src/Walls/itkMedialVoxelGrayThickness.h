@@ -47,8 +47,8 @@ public:
    */
   struct Workspace
   {
-    std::optional<MedialVoxelGrayNormals>     normals; // with the first fit
-    std::vector<MedialVoxelGrayLocal::Sample> samples;
+    std::optional<MedialVoxelGrayNormals> normals; // with the first fit
+    MedialVoxelGrayLocal::Samples         samples;
   };
 
   /** Of the boundary points of the corners, in their order. */

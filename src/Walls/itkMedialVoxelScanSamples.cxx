@@ -14,7 +14,6 @@ namespace itk
 namespace
 {
 
-using Sample = MedialVoxelGrayLocal::Sample;
 using BackgroundSample = MedialVoxelScanSamples::Background;
 using MaterialSample = MedialVoxelScanSamples::Material;
 using SurfaceSample = MedialVoxelScanSamples::Surface;
@@ -165,13 +164,15 @@ IsClean(const SurfaceSample & samples, const double limit)
 {
   double sums[2] = {};
   double weights[2] = {};
-  for (const Sample & sample : samples)
+  for (std::size_t i = 0; i < samples.GetNumber(); ++i)
   {
-    if (std::abs(sample.along) >= MedialVoxelScanSamples::NearestFlat)
+    const double along = static_cast<double>(samples.GetAlong()[i]);
+    const double weight = static_cast<double>(samples.GetWeights()[i]);
+    if (std::abs(along) >= MedialVoxelScanSamples::NearestFlat)
     {
-      const unsigned int side = sample.along > 0.0 ? 1 : 0;
-      sums[side] += sample.weight * sample.value;
-      weights[side] += sample.weight;
+      const unsigned int side = along > 0.0 ? 1 : 0;
+      sums[side] += weight * static_cast<double>(samples.GetValues()[i]);
+      weights[side] += weight;
     }
   }
   return weights[0] > 0.0 && weights[1] > 0.0 && std::abs(sums[0] / weights[0]) < limit &&
@@ -185,10 +186,7 @@ FindBlur(std::vector<SurfaceSample> & surfaces, const MedialVoxelScan & scan)
   std::vector<double> blurs;
   for (SurfaceSample & surface : surfaces)
   {
-    for (Sample & sample : surface)
-    {
-      sample.value = (sample.value - scan.background) / (scan.material - scan.background);
-    }
+    surface.Normalize(scan.background, scan.material);
     if (IsClean(surface, limit))
     {
       MedialVoxelCheckAbort();

@@ -38,7 +38,7 @@ struct MedialVoxelScanSamples
   static constexpr double LargestDepth = 5.5;
 
   /** Values near a surface, that lead into the object. */
-  using Surface = std::vector<MedialVoxelGrayLocal::Sample>;
+  using Surface = MedialVoxelGrayLocal::Samples;
 
   /** Ways from a surface at which voxels must be of one kind. */
   static constexpr double NearestFlat = 2.5;

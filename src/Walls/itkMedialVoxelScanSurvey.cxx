@@ -42,9 +42,6 @@ constexpr std::int64_t FarFromLargeMean = 6;
 /** Voxels around a block that must be there. */
 constexpr std::int64_t Margin = 9;
 
-/** Voxels of a row that are skipped at once when they are far from the object. */
-constexpr std::int64_t StepOfRow = 64;
-
 /** Faces of some object voxels are looked at, chosen by their place. */
 constexpr std::uint64_t ObjectVoxelsPerLook = 4;
 
@@ -88,6 +85,59 @@ ListNeighbors(const MedialVoxelGrid & grid)
   return neighbors;
 }
 
+/** The bits and those of all voxels up to \a reach from them along each axis, in the box of the bits. */
+MedialVoxelBits
+Dilate(const MedialVoxelBits & bits, const std::int64_t reach)
+{
+  using Word = MedialVoxelBits::WordType;
+  const Box &        box = bits.GetBox();
+  const std::int64_t words = bits.GetWordsPerRow();
+  MedialVoxelBits    alongX(box);
+  MedialVoxelBits    alongY(box);
+  MedialVoxelBits    result(box);
+  for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
+  {
+    for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
+    {
+      const Word * const from = bits.GetRow(y, z);
+      Word * const       to = alongX.GetRow(y, z);
+      for (std::int64_t i = 0; i < words; ++i)
+      {
+        Word all = from[i];
+        for (std::int64_t k = 1; k <= reach; ++k)
+        {
+          all |= (from[i] << k | from[i - 1] >> (MedialVoxelBits::BitsPerWord - k)) |
+                 (from[i] >> k | from[i + 1] << (MedialVoxelBits::BitsPerWord - k));
+        }
+        to[i] = all;
+      }
+    }
+  }
+  // Rows of rows: from the slices and rows around a row.
+  const auto join = [&](const MedialVoxelBits & from, MedialVoxelBits & to, const unsigned int axis) {
+    for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
+    {
+      for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
+      {
+        Word * const       row = to.GetRow(y, z);
+        const std::int64_t own = axis == 1 ? y : z;
+        const std::int64_t end = std::min(own + reach + 1, box.upper[axis]);
+        for (std::int64_t i = std::max(own - reach, box.lower[axis]); i < end; ++i)
+        {
+          const Word * const other = axis == 1 ? from.GetRow(i, z) : from.GetRow(y, i);
+          for (std::int64_t word = 0; word < words; ++word)
+          {
+            row[word] |= other[word];
+          }
+        }
+      }
+    }
+  };
+  join(alongX, alongY, 1);
+  join(alongY, result, 2);
+  return result;
+}
+
 /** \class BlockLook
  * \brief Takes the samples of one block. */
 class BlockLook
@@ -100,8 +150,12 @@ public:
     : m_Grid(grid)
     , m_Neighbors(neighbors)
     , m_Local(grid, 0.0, 1.0)
-    , m_Normals(grid, 0.0, 1.0)
+    , m_Normals(grid, 0.0, FindLargest(gray))
     , m_Object(object)
+    , m_Near(Dilate(object, FarFromObject))
+    , m_NearSmallMean(Dilate(m_Near, FarFromSmallMean - FarFromObject))
+    , m_NearLargeMean(Dilate(m_NearSmallMean, FarFromLargeMean - FarFromSmallMean))
+    , m_Around(Dilate(m_NearLargeMean, NearObject - FarFromLargeMean))
     , m_Gray(gray)
   {}
 
@@ -114,45 +168,87 @@ public:
       for (voxel[1] = block.lower[1]; voxel[1] < block.upper[1]; ++voxel[1])
       {
         m_Checker.Count(StepsOfRow);
-        for (voxel[0] = block.lower[0]; voxel[0] < block.upper[0];)
-        {
-          const std::int64_t end = std::min(voxel[0] + StepOfRow, block.upper[0]);
-          const Box          part{ voxel, { { end, voxel[1] + 1, voxel[2] + 1 } } };
-          if (m_Object.Any(this->AroundBox(part, NearObject)))
-          {
-            this->TakePart(part, block, seed, samples);
-          }
-          voxel[0] = end;
-        }
+        this->TakeRow(voxel, block, seed, samples);
       }
     }
   }
 
 private:
-  /** \a part of a row of a block. */
-  void
-  TakePart(const Box & part, const Box & block, const std::uint64_t seed, Samples & samples)
+  using Word = MedialVoxelBits::WordType;
+
+  /** The largest value that is a number, by its absolute value: the unit of gradients. */
+  static double
+  FindLargest(const MedialVoxelGray & gray)
   {
-    Index voxel = part.lower;
-    for (; voxel[0] < part.upper[0]; ++voxel[0])
+    const Box & box = gray.GetBox();
+    float       largest = 0.0F;
+    for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
     {
-      const std::uint64_t hash = MedialVoxelHash(seed + static_cast<std::uint64_t>(block.OffsetOf(voxel)));
-      const bool          isObject = m_Object.Test(voxel);
-      if (isObject)
+      for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
       {
-        this->TakeObject(voxel, hash, samples);
+        const float * const row = gray.GetRow(y, z);
+        for (std::int64_t x = 0; x < box.Extent(0); ++x)
+        {
+          const float value = std::abs(row[x]);
+          largest = value > largest && value <= std::numeric_limits<float>::max() ? value : largest;
+        }
       }
-      else if (samples.background.Wants(hash))
+    }
+    return largest > 0.0F ? static_cast<double>(largest) : 1.0;
+  }
+
+  /** Of the row of a block through a voxel. */
+  void
+  TakeRow(const Index & first, const Box & block, const std::uint64_t seed, Samples & samples)
+  {
+    const auto         row = [&](const MedialVoxelBits & bits) { return bits.GetRow(first[1], first[2]); };
+    const std::int64_t firstWord = m_Object.GetFirstWord();
+    const auto         hashOf = [&](const Index & voxel) {
+      return MedialVoxelHash(seed + static_cast<std::uint64_t>(block.OffsetOf(voxel)));
+    };
+    for (std::int64_t i = 0; i < m_Object.GetWordsPerRow(); ++i)
+    {
+      const Word inBlock = MedialVoxelBits::RangeMask(firstWord + i, block.lower[0], block.upper[0]);
+      const Word object = row(m_Object)[i] & inBlock;
+      const Word inner = object == 0 ? 0 : this->GetInner(first, i);
+      Index      voxel = first;
+      for (Word rest = object; rest != 0; rest &= rest - 1)
       {
-        this->TakeBackground(voxel, hash, samples);
+        voxel[0] = (firstWord + i) * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(rest);
+        const bool isInner = (inner & rest & (~rest + 1)) != 0;
+        this->TakeObject(voxel, hashOf(voxel), isInner, samples);
+      }
+      for (Word rest = row(m_Around)[i] & ~row(m_Near)[i] & inBlock; rest != 0; rest &= rest - 1)
+      {
+        voxel[0] = (firstWord + i) * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(rest);
+        const std::uint64_t hash = hashOf(voxel);
+        if (samples.background.Wants(hash))
+        {
+          this->TakeBackground(voxel, hash, samples);
+        }
       }
     }
   }
 
-  void
-  TakeObject(const Index & voxel, const std::uint64_t hash, Samples & samples)
+  /** Voxels of a word of a row that have no background beside them. */
+  Word
+  GetInner(const Index & row, const std::int64_t word) const
   {
-    if (hash % ObjectVoxelsPerLook == 0)
+    const Word * const own = m_Object.GetRow(row[1], row[2]) + word;
+    constexpr auto     last = MedialVoxelBits::BitsPerWord - 1;
+    Word               inner = own[0] & (own[0] << 1 | own[-1] >> last) & (own[0] >> 1 | own[1] << last);
+    for (const std::int64_t step : { -1, 1 })
+    {
+      inner &= m_Object.HasRow(row[1] + step, row[2]) ? m_Object.GetRow(row[1] + step, row[2])[word] : ~Word{ 0 };
+      inner &= m_Object.HasRow(row[1], row[2] + step) ? m_Object.GetRow(row[1], row[2] + step)[word] : ~Word{ 0 };
+    }
+    return inner;
+  }
+
+  void
+  TakeObject(const Index & voxel, const std::uint64_t hash, const bool isInner, Samples & samples)
+  {
+    if (!isInner && hash % ObjectVoxelsPerLook == 0)
     {
       this->CountFaces(voxel, samples.faces);
     }
@@ -164,7 +260,7 @@ private:
         samples.material.Add(hash, { static_cast<double>(m_Gray.Get(voxel)), depth });
       }
     }
-    if (samples.surfaces.Wants(hash))
+    if (!isInner && samples.surfaces.Wants(hash))
     {
       this->TakeSurface(voxel, hash, samples);
     }
@@ -209,16 +305,12 @@ private:
   void
   TakeBackground(const Index & voxel, const std::uint64_t hash, Samples & samples)
   {
-    if (m_Object.Any(this->Around(voxel, FarFromObject)) || !m_Object.Any(this->Around(voxel, NearObject)))
-    {
-      return;
-    }
     Samples::Background sample{ static_cast<double>(m_Gray.Get(voxel)), NotANumber, NotANumber };
-    if (!m_Object.Any(this->Around(voxel, FarFromSmallMean)))
+    if (!m_NearSmallMean.Test(voxel))
     {
       sample.smallMean = this->GetMean(voxel, 1);
     }
-    if (!m_Object.Any(this->Around(voxel, FarFromLargeMean)))
+    if (!m_NearLargeMean.Test(voxel))
     {
       sample.largeMean = this->GetMean(voxel, 2);
     }
@@ -318,13 +410,8 @@ private:
   Box
   Around(const Index & voxel, const std::int64_t reach) const
   {
-    return this->AroundBox({ voxel, { { voxel[0] + 1, voxel[1] + 1, voxel[2] + 1 } } }, reach);
-  }
-
-  Box
-  AroundBox(const Box & box, const std::int64_t reach) const
-  {
-    return box.Expanded({ { reach, reach, reach } }).Intersection(m_Grid.GetVoxelBox());
+    const Box own{ voxel, { { voxel[0] + 1, voxel[1] + 1, voxel[2] + 1 } } };
+    return own.Expanded({ { reach, reach, reach } }).Intersection(m_Grid.GetVoxelBox());
   }
 
   /** Distance to the nearest voxel that is background or not in the image, up to a limit. */
@@ -367,6 +454,10 @@ private:
   MedialVoxelGrayLocal          m_Local;
   MedialVoxelGrayNormals        m_Normals;
   const MedialVoxelBits &       m_Object;
+  MedialVoxelBits               m_Near; // within FarFromObject of the object
+  MedialVoxelBits               m_NearSmallMean;
+  MedialVoxelBits               m_NearLargeMean;
+  MedialVoxelBits               m_Around; // within NearObject
   const MedialVoxelGray &       m_Gray;
   MedialVoxelAbortChecker       m_Checker;
 };

@@ -7,19 +7,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 
 namespace itk
 {
 namespace
 {
 
-using Sample = MedialVoxelGrayLocal::Sample;
+using Samples = MedialVoxelGrayLocal::Samples;
 
 /** Steps of a fit, at most; shorter steps, in voxels, end it. Standard deviations of the blur beyond a surface up to
  * which values count. */
 constexpr int    Iterations = 12;
-constexpr double ShortestStep = 1e-4;
+constexpr double ShortestStep = 1e-3;
 constexpr double Tail = 2.5;
 
 /** Thicknesses that a fit may have. */
@@ -28,6 +27,12 @@ constexpr double Thickest = 12.0;
 
 /** Standard deviation, in voxels, from which on a fit fails: values do not define the places of the surfaces. */
 constexpr double LargestDeviation = 1.0;
+
+/** Largest way of a surface from the start of its fit. Farther away, other values would have to count. */
+constexpr double LongestWay = 2.5;
+
+/** Share of the determinant without second derivatives that the one with them needs to have, or it is not trusted. */
+constexpr double LeastDeterminant = 0.1;
 
 /** Largest distance of the middle of a wall from the start of the search. */
 constexpr double LargestShift = 2.5;
@@ -55,18 +60,6 @@ private:
   double                                m_Inverse;
 };
 
-/** The items of a list that are near a place. */
-std::vector<Sample>
-SelectNear(const std::vector<Sample> & samples, const double place, const double reach)
-{
-  std::vector<Sample> near;
-  near.reserve(samples.size());
-  std::copy_if(samples.begin(), samples.end(), std::back_inserter(near), [&](const Sample & sample) {
-    return std::abs(sample.along - place) <= reach;
-  });
-  return near;
-}
-
 /** \class NormalEquations
  * \brief Of a fit with two parameters: a symmetric matrix and a right side. */
 struct NormalEquations
@@ -76,9 +69,6 @@ struct NormalEquations
   double bb{ 0.0 };
   double a{ 0.0 };
   double b{ 0.0 };
-  double squaredA{ 0.0 }; // of the weights, for the covariance
-  double squaredAB{ 0.0 };
-  double squaredB{ 0.0 };
 
   void
   Add(const double weight, const double ofA, const double ofB, const double rest)
@@ -88,25 +78,12 @@ struct NormalEquations
     bb += weight * ofB * ofB;
     a += weight * ofA * rest;
     b += weight * ofB * rest;
-    squaredA += weight * weight * ofA * ofA;
-    squaredAB += weight * weight * ofA * ofB;
-    squaredB += weight * weight * ofB * ofB;
   }
 
   double
   GetDeterminant() const
   {
     return aa * bb - ab * ab;
-  }
-
-  /** Variance of the first parameter when that of a value is 1. */
-  double
-  GetVarianceOfFirst() const
-  {
-    const double determinant = this->GetDeterminant();
-    const double u = bb / determinant;
-    const double v = -ab / determinant;
-    return u * u * squaredA + 2.0 * u * v * squaredAB + v * v * squaredB;
   }
 };
 
@@ -119,29 +96,51 @@ MedialVoxelWallFit::MedialVoxelWallFit(const MedialVoxelScan & scan, const unsig
 {}
 
 auto
-MedialVoxelWallFit::MakeProfile(const std::vector<Sample> & samples, const double reach) -> Profile
+MedialVoxelWallFit::MakeProfile(const Samples & samples, const double reach) -> Profile
 {
-  Profile sums{};
-  Profile weights{};
-  for (const Sample & sample : samples)
+  // A sample counts at the eight places within a voxel from it, with a weight that falls in a straight line. Samples
+  // between two places differ by their distance to the lower one alone, so their sums suffice.
+  constexpr int                               halfWidth = static_cast<int>(1.0 / Step);
+  std::array<std::array<float, 4>, Places + 2 * halfWidth> bins{}; // weights, values, and both times the distance
+  for (std::size_t i = 0; i < samples.GetNumber(); ++i)
   {
-    const double at = sample.along / Step + Side;
-    const int    begin = std::max(0, static_cast<int>(std::ceil(at - 1.0 / Step)));
-    const int    end = std::min(Places - 1, static_cast<int>(std::floor(at + 1.0 / Step)));
-    for (int i = begin; i <= end; ++i)
+    const float at = samples.GetAlong()[i] * static_cast<float>(1.0 / Step) + static_cast<float>(Side);
+    if (!(at >= 0.0F) || !(at < static_cast<float>(Places)))
     {
-      const auto   place = static_cast<std::size_t>(i);
-      const double weight = sample.weight * (1.0 - Step * std::abs(i - at));
-      sums[place] += weight * sample.value;
-      weights[place] += weight;
+      continue;
     }
+    const auto  place = static_cast<int>(at);
+    const float distance = at - static_cast<float>(place);
+    const float weight = samples.GetWeights()[i];
+    const float value = weight * samples.GetValues()[i];
+    auto &      bin = bins[static_cast<std::size_t>(place + halfWidth)];
+    bin[0] += weight;
+    bin[1] += value;
+    bin[2] += distance * weight;
+    bin[3] += distance * value;
   }
   Profile   profile{};
   const int side = static_cast<int>(reach / Step);
   for (int i = Side - side; i <= Side + side; ++i)
   {
-    const auto place = static_cast<std::size_t>(i);
-    profile[place] = weights[place] > 0.0 ? sums[place] / weights[place] : 0.0;
+    std::array<float, 4> sums{};
+    std::array<float, 4> lower{};
+    std::array<float, 4> upper{};
+    for (int k = 0; k < halfWidth; ++k)
+    {
+      const float  weight = 1.0F - static_cast<float>(Step) * static_cast<float>(k);
+      const auto & above = bins[static_cast<std::size_t>(i + halfWidth + k)];
+      const auto & below = bins[static_cast<std::size_t>(i + halfWidth - k - 1)];
+      for (std::size_t n = 0; n < 4; ++n)
+      {
+        sums[n] += weight * above[n] + (weight - static_cast<float>(Step)) * below[n];
+        upper[n] += above[n];
+        lower[n] += below[n];
+      }
+    }
+    const double weight = static_cast<double>(sums[0] + static_cast<float>(Step) * (lower[2] - upper[2]));
+    const double value = static_cast<double>(sums[1] + static_cast<float>(Step) * (lower[3] - upper[3]));
+    profile[static_cast<std::size_t>(i)] = weight > 0.0 ? value / weight : 0.0;
   }
   return profile;
 }
@@ -149,15 +148,15 @@ MedialVoxelWallFit::MakeProfile(const std::vector<Sample> & samples, const doubl
 auto
 MedialVoxelWallFit::Smooth(const Profile & profile) -> Profile
 {
-  constexpr double weights[5] = { 1.0 / 16, 4.0 / 16, 6.0 / 16, 4.0 / 16, 1.0 / 16 };
-  Profile          smooth{};
-  for (int i = 0; i < Places; ++i)
+  // The outermost places are continued.
+  std::array<double, Places + 4> wide;
+  std::copy(profile.begin(), profile.end(), wide.begin() + 2);
+  wide[0] = wide[1] = profile.front();
+  wide[Places + 2] = wide[Places + 3] = profile.back();
+  Profile smooth;
+  for (std::size_t i = 0; i < Places; ++i)
   {
-    for (int k = -2; k <= 2; ++k)
-    {
-      smooth[static_cast<std::size_t>(i)] +=
-        weights[k + 2] * profile[static_cast<std::size_t>(std::clamp(i + k, 0, Places - 1))];
-    }
+    smooth[i] = (wide[i] + wide[i + 4] + 4.0 * (wide[i + 1] + wide[i + 3]) + 6.0 * wide[i + 2]) / 16.0;
   }
   return smooth;
 }
@@ -205,7 +204,7 @@ MedialVoxelWallFit::FindEnd(const Profile & smooth, const int peak, const double
 }
 
 auto
-MedialVoxelWallFit::FitWall(const std::vector<Sample> & samples) const -> std::optional<Wall>
+MedialVoxelWallFit::FitWall(const Samples & samples) const -> std::optional<Wall>
 {
   const Profile profile = MakeProfile(samples, ReachOfWall);
   const Profile smooth = Smooth(profile);
@@ -241,87 +240,78 @@ MedialVoxelWallFit::FitWall(const std::vector<Sample> & samples) const -> std::o
   Wall wall;
   wall.thickness = mass;
   wall.isCut = left.isValley || right.isValley;
+  wall.center = wall.isCut ? moment / mass : 0.5 * (lower + upper);
+  const MedialVoxelFitSums sums(samples, wall.center, 0.5 * wall.thickness + Tail * m_Blur);
   if (wall.isCut)
   {
-    wall.center = moment / mass;
     wall.deviation = m_Noise * std::sqrt((right.place - left.place) / m_Number);
   }
-  else
+  else if (!this->Fit(sums, wall))
   {
-    wall.center = 0.5 * (lower + upper);
-    this->Fit(samples, wall);
+    return std::nullopt;
   }
   if (!(std::abs(wall.center) <= LargestShift) || !std::isfinite(wall.thickness) ||
       !(wall.deviation <= LargestDeviation))
   {
     return std::nullopt;
   }
-  wall.isResolved = this->IsResolved(samples, wall);
+  wall.isResolved = this->IsResolved(sums, wall);
   return wall;
 }
 
-void
-MedialVoxelWallFit::Fit(const std::vector<Sample> & samples, Wall & wall) const
+bool
+MedialVoxelWallFit::Fit(const MedialVoxelFitSums & sums, Wall & wall) const
 {
-  const BlurredSurface      surface(m_Blur);
-  const std::vector<Sample> near = SelectNear(samples, wall.center, 0.5 * wall.thickness + Tail * m_Blur);
+  const Wall start = wall;
   for (int iteration = 0; iteration < Iterations; ++iteration)
   {
-    NormalEquations equations;
-    for (const Sample & sample : near)
-    {
-      const double s = sample.along - wall.center;
-      const auto   first = surface.At(s + 0.5 * wall.thickness);
-      const auto   second = surface.At(s - 0.5 * wall.thickness);
-      equations.Add(sample.weight,
-                    0.5 * (first.density + second.density),
-                    second.density - first.density,
-                    sample.value - (first.cumulative - second.cumulative));
-    }
-    const double determinant = equations.GetDeterminant();
+    const auto   sum = sums.SumWall(wall.center, wall.thickness, m_Blur);
+    const double determinant = sum.tt * sum.cc - sum.tc * sum.tc;
     if (!(determinant > 0.0))
     {
-      wall.thickness = std::nan("");
-      return;
+      return false;
     }
-    wall.deviation = m_Noise * std::sqrt(equations.GetVarianceOfFirst());
-    const double thicker = (equations.bb * equations.a - equations.ab * equations.b) / determinant;
-    const double farther = (equations.aa * equations.b - equations.ab * equations.a) / determinant;
+    const double u = sum.cc / determinant;
+    const double v = -sum.tc / determinant;
+    wall.deviation =
+      m_Noise * std::sqrt(u * u * sum.squaredTT + 2.0 * u * v * sum.squaredTC + v * v * sum.squaredCC);
+    // Newton's step where the sum of squares bends upwards, otherwise the one of Gauss.
+    double       tt = sum.tt - sum.bendTT;
+    double       tc = sum.tc - sum.bendTC;
+    double       cc = sum.cc - sum.bendCC;
+    if (!(tt > 0.0) || !(tt * cc - tc * tc > LeastDeterminant * determinant))
+    {
+      tt = sum.tt;
+      tc = sum.tc;
+      cc = sum.cc;
+    }
+    const double inverse = 1.0 / (tt * cc - tc * tc);
+    const double thicker = (cc * sum.rt - tc * sum.rc) * inverse;
+    const double farther = (tt * sum.rc - tc * sum.rt) * inverse;
     wall.thickness = std::clamp(wall.thickness + std::clamp(thicker, -1.0, 1.0), Thinnest, Thickest);
     wall.center += std::clamp(farther, -0.5, 0.5);
+    if (std::abs(wall.center - start.center) + 0.5 * std::abs(wall.thickness - start.thickness) > LongestWay)
+    {
+      return false;
+    }
     if (std::max(std::abs(thicker), std::abs(farther)) < ShortestStep)
     {
-      return;
+      return true;
     }
   }
+  return false;
 }
 
 /** Values in the middle of two walls that the blur has joined are lower than in one wall. */
 bool
-MedialVoxelWallFit::IsResolved(const std::vector<Sample> & samples, const Wall & wall) const
+MedialVoxelWallFit::IsResolved(const MedialVoxelFitSums & sums, const Wall & wall) const
 {
-  const double         core = std::max(0.5, 0.25 * wall.thickness);
-  double               sum = 0.0;
-  double               weights = 0.0;
-  double               squares = 0.0;
-  const BlurredSurface surface(m_Blur);
-  for (const Sample & sample : samples)
-  {
-    const double s = sample.along - wall.center;
-    if (std::abs(s) <= core)
-    {
-      const double first = surface.At(s + 0.5 * wall.thickness).cumulative;
-      const double second = surface.At(s - 0.5 * wall.thickness).cumulative;
-      sum += sample.weight * (sample.value - (first - second));
-      weights += sample.weight;
-      squares += sample.weight * sample.weight;
-    }
-  }
-  return sum >= -std::max(0.12 * weights, 3.0 * m_Noise * std::sqrt(squares));
+  const auto misfit = sums.SumMisfit(wall.center, wall.thickness, m_Blur, std::max(0.5, 0.25 * wall.thickness));
+  return misfit.rest >= -std::max(0.12 * misfit.weight, 3.0 * m_Noise * std::sqrt(misfit.squaredWeight));
 }
 
 auto
-MedialVoxelWallFit::FitSurface(const std::vector<Sample> & samples) const -> std::optional<Surface>
+MedialVoxelWallFit::FitSurface(const Samples & samples) const -> std::optional<Surface>
 {
   const Profile         profile = MakeProfile(samples, ReachOfSurface);
   const int             side = static_cast<int>(ReachOfSurface / Step);
@@ -340,39 +330,33 @@ MedialVoxelWallFit::FitSurface(const std::vector<Sample> & samples) const -> std
   {
     return std::nullopt;
   }
-  Surface                   surface{ *crossing, 0.0 };
-  const BlurredSurface      blurred(m_Blur);
-  const std::vector<Sample> near = SelectNear(samples, *crossing, 1.5 * m_Blur);
+  Surface                  surface{ *crossing, 0.0 };
+  const MedialVoxelFitSums sums(samples, *crossing, 1.5 * m_Blur);
   for (int iteration = 0; iteration < Iterations; ++iteration)
   {
-    double squares = 0.0;
-    double sum = 0.0;
-    double squaredWeights = 0.0;
-    for (const Sample & sample : near)
-    {
-      const auto model = blurred.At(sample.along - surface.place);
-      squares += sample.weight * model.density * model.density;
-      sum += sample.weight * model.density * (model.cumulative - sample.value);
-      squaredWeights += sample.weight * sample.weight * model.density * model.density;
-    }
-    if (!(squares > 0.0))
+    const auto sum = sums.SumSurface(surface.place, m_Blur);
+    if (!(sum.pp > 0.0))
     {
       return std::nullopt;
     }
-    const double deeper = sum / squares;
+    const double bent = sum.pp - sum.bend;
+    const double deeper = sum.rp / (bent > LeastDeterminant * sum.pp ? bent : sum.pp);
     surface.place += std::clamp(deeper, -0.5, 0.5);
-    surface.deviation = m_Noise * std::sqrt(squaredWeights) / squares;
+    surface.deviation = m_Noise * std::sqrt(sum.squaredPP) / sum.pp;
+    if (!(std::abs(surface.place - *crossing) < LongestWay))
+    {
+      return std::nullopt;
+    }
     if (std::abs(deeper) < ShortestStep)
     {
-      break;
+      return surface.deviation <= LargestDeviation ? std::optional<Surface>(surface) : std::nullopt;
     }
   }
-  const bool isFound = std::abs(surface.place - *crossing) < 1.0 && surface.deviation <= LargestDeviation;
-  return isFound ? std::optional<Surface>(surface) : std::nullopt;
+  return std::nullopt;
 }
 
 std::optional<double>
-MedialVoxelWallFit::FitBlur(const std::vector<Sample> & samples)
+MedialVoxelWallFit::FitBlur(const Samples & samples)
 {
   double place = 0.0;
   double blur = 0.8;
@@ -380,11 +364,14 @@ MedialVoxelWallFit::FitBlur(const std::vector<Sample> & samples)
   {
     const BlurredSurface surface(blur);
     NormalEquations      equations;
-    for (const Sample & sample : samples)
+    for (std::size_t i = 0; i < samples.GetNumber(); ++i)
     {
-      const auto model = surface.At(sample.along - place);
-      equations.Add(
-        sample.weight, -model.density, -model.density * (sample.along - place) / blur, sample.value - model.cumulative);
+      const double s = static_cast<double>(samples.GetAlong()[i]) - place;
+      const auto   model = surface.At(s);
+      equations.Add(static_cast<double>(samples.GetWeights()[i]),
+                    -model.density,
+                    -model.density * s / blur,
+                    static_cast<double>(samples.GetValues()[i]) - model.cumulative);
     }
     const double determinant = equations.GetDeterminant();
     if (!(determinant > 0.0))

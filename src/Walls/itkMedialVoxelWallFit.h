@@ -3,6 +3,7 @@
 #ifndef itkMedialVoxelWallFit_h
 #define itkMedialVoxelWallFit_h
 
+#include "itkMedialVoxelFitSums.h"
 #include "itkMedialVoxelGrayLocal.h"
 #include "itkMedialVoxelScan.h"
 
@@ -10,7 +11,6 @@
 
 #include <array>
 #include <optional>
-#include <vector>
 
 namespace itk
 {
@@ -64,20 +64,20 @@ public:
    * \param samples  up to ReachOfWall
    * \return nothing where the values do not have one */
   std::optional<Wall>
-  FitWall(const std::vector<MedialVoxelGrayLocal::Sample> & samples) const;
+  FitWall(const MedialVoxelGrayLocal::Samples & samples) const;
 
   /** The surface nearest to place 0 of a line into the material.
    *
    * \param samples  up to ReachOfSurface
    * \return nothing where the values do not rise through 1/2 */
   std::optional<Surface>
-  FitSurface(const std::vector<MedialVoxelGrayLocal::Sample> & samples) const;
+  FitSurface(const MedialVoxelGrayLocal::Samples & samples) const;
 
   /** The same with the blur, which is fitted too.
    *
    * \return nothing where the fit does not converge */
   static std::optional<double>
-  FitBlur(const std::vector<MedialVoxelGrayLocal::Sample> & samples);
+  FitBlur(const MedialVoxelGrayLocal::Samples & samples);
 
 private:
   /** Places of a profile are a quarter of a voxel apart, and as far as ReachOfWall to both sides. */
@@ -88,7 +88,7 @@ private:
 
   /** Values where they are wanted, as linear interpolation has them on lines along an axis. */
   static Profile
-  MakeProfile(const std::vector<MedialVoxelGrayLocal::Sample> & samples, double reach);
+  MakeProfile(const MedialVoxelGrayLocal::Samples & samples, double reach);
 
   static Profile
   Smooth(const Profile & profile);
@@ -113,11 +113,12 @@ private:
   End
   FindEnd(const Profile & smooth, int peak, double crossing, int direction) const;
 
-  void
-  Fit(const std::vector<MedialVoxelGrayLocal::Sample> & samples, Wall & wall) const;
+  /** \return false where the fit does not converge near its start */
+  bool
+  Fit(const MedialVoxelFitSums & sums, Wall & wall) const;
 
   bool
-  IsResolved(const std::vector<MedialVoxelGrayLocal::Sample> & samples, const Wall & wall) const;
+  IsResolved(const MedialVoxelFitSums & sums, const Wall & wall) const;
 
   double m_Blur;
   double m_Noise;  // of a voxel, with its correlation
