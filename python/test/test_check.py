@@ -224,7 +224,9 @@ class Check(support.Folder):
             self.assertEqual(one.keys(), other.keys())
             for key, value in one.items():
                 if isinstance(value, float):
-                    self.assertAlmostEqual(value, other[key], places=places, msg=key)
+                    # Degrees, whose arc cosine near 1 has half of the digits.
+                    digits = min(places - 2, 5) if "angle" in key or "warpage" in key else places
+                    self.assertAlmostEqual(value, other[key], places=digits, msg=key)
                 else:
                     self.assertEqual(value, other[key], key)
 
