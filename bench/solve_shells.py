@@ -193,7 +193,7 @@ def main():
     results = {**known, "solver": "CalculiX " + version.split()[-1], "extend_rims": arguments.extend_rims}
 
     with tempfile.TemporaryDirectory() as temporary:
-        mesher = Mesher(arguments.program, ["--extend-rims"] if arguments.extend_rims else [], pathlib.Path(temporary))
+        mesher = Mesher(arguments.program, ["--extend-rims" if arguments.extend_rims else "--extend-rims=off"], pathlib.Path(temporary))
 
         def add(name, row):
             results[name].append(row)

@@ -120,13 +120,29 @@ AddOptions(CommandLine & line, CLI::App & app, const CommandRow & command)
   }
 }
 
-/** Elements of solvers are as long as the wall is thick, unless a size is given. */
+/** Pieces of a mesh for solvers are left out that have fewer faces, of a voxel each: nothing holds them. */
+constexpr std::uint64_t SmallestPiece = 100;
+
+/** What meshes for solvers are like, unless it is said. Objects of a label map touch, so that rims may end there. */
 void
-CompleteElementSize(const CLI::App & app, ExtractOptions & options)
+CompleteElements(const CLI::App & app, ExtractOptions & options)
 {
-  if (app.count("--element-size") == 0 && !options.meshFile.empty() && HoldsElements(GetMeshFormat(options.meshFile)))
+  if (options.meshFile.empty() || !HoldsElements(GetMeshFormat(options.meshFile)))
+  {
+    return;
+  }
+  if (app.count("--element-size") == 0)
   {
     options.elementSize.kind = ElementSize::Kind::Automatic;
+  }
+  const bool isForSolvers = options.elementSize.kind != ElementSize::Kind::Voxel;
+  if (app.count("--extend-rims") == 0)
+  {
+    options.extendsRims = isForSolvers && !options.labels;
+  }
+  if (app.count("--min-component-size") == 0)
+  {
+    options.minimumComponentSize = isForSolvers ? SmallestPiece : 0;
   }
 }
 
@@ -173,8 +189,8 @@ DefineCommandLine(CommandLine & line)
 void
 CompleteCommandLine(CommandLine & line)
 {
-  CompleteElementSize(*line.extract, line.extractOptions);
-  CompleteElementSize(*line.mesh, line.meshOptions);
+  CompleteElements(*line.extract, line.extractOptions);
+  CompleteElements(*line.mesh, line.meshOptions);
   CompleteJobs(line);
   for (const CommandRow & command : ListCommands())
   {

@@ -25,6 +25,8 @@ except ImportError:
     pyvista = None
 
 DATA = SOURCE / "../shared/data"
+SAME = ("--element-size", "auto", "--extend-rims=off", "--min-component-size", 0)  # of all formats
+
 
 def plate():
     volume = volumes.Volume((30, 26, 12), [], (0.5, 0.5, 0.5))
@@ -44,13 +46,18 @@ class RealElementsTest(ProgramTestCase):
         return json.loads(report)["mesh"]
 
     def test_engine(self):
-        mesh = self.mesh("engine.inp", "--element-size", "auto")
+        mesh = self.mesh("engine.inp", "--element-size", "auto", "--extend-rims=off")
         self.assertEqual(failing(mesh), [])
         remeshing = mesh["remeshing"]
         self.assertLessEqual(mesh["faces"], 15000)
         # The fine mesh on gray values is rougher than the part.
         self.assertAlmostEqual(mesh["area"] / remeshing["area_before"], 1, delta=0.03)
-        self.assertLessEqual(remeshing["distance_to_fine"]["mean"], 0.5)
+        mean = remeshing["distance_to_fine"]["mean"]
+        self.assertLessEqual(mean, 0.5)
+        # Elements are as long as the wall is thick, which shows where it bends or ends.
+        elsewhere, share = remeshing["mean_distance_elsewhere"], remeshing["area_share_elsewhere"]
+        self.assertLess(elsewhere, 0.25)
+        self.assertAlmostEqual(share * elsewhere + (1 - share) * remeshing["mean_distance_at_lines"], mean, places=9)
 
     def test_limits_that_fail_are_a_warning(self):
         run = self.run_program("mesh", DATA / "shell.nrrd", "m.vtp", "--lower", 65, "--element-size", 100, "--report", "r.json")
@@ -80,6 +87,8 @@ class RealElementsTest(ProgramTestCase):
             heights = {number: point[2] for number, point in model.nodes.items()}
             held = [number for number, height in heights.items() if height < min(heights.values()) + 5]
             # Raises where the solver refuses an element.
+            elements = model.elements()
+            self.assertLessEqual(sum(len(nodes) == 3 for nodes in elements), 0.1 * len(elements), name)
             moved = solve(model, (70000.0, 0.33), held, {max(heights, key=heights.get): (0.0, 0.0, 1.0)}, self.folder)
             self.assertTrue(all(math.isfinite(value) for values in moved.values() for value in values), name)
 
@@ -105,6 +114,105 @@ class RealElementsTest(ProgramTestCase):
             )
             self.assertEqual(found["rim_sides"], rims.n_cells)
             self.assertEqual(found["junction_sides"], junctions.n_cells)
+
+
+def two_plates(width):
+    """A plate, and one of its thickness beside it that is so wide."""
+    volume = volumes.Volume((56, 40, 12), [])
+    volume.voxels = [
+        int(4 <= z < 8 and 4 <= y < 36 and (4 <= x < 36 or 40 <= x < 52 and y < 4 + width)) for x, y, z in volume.indices()
+    ]
+    return volume
+
+
+class SolverMeshTest(ProgramTestCase):
+    """What meshes for solvers are like without being asked to."""
+
+    def setUp(self):
+        super().setUp()
+        volumes.write_meta(self.folder / "in.mha", two_plates(12))
+
+    def report(self, name, *arguments):
+        run = self.run_program("mesh", "in.mha", name, "--overwrite", "--report", "r.json", *arguments)
+        return json.loads((self.folder / "r.json").read_text()), run
+
+    def test_rims_are_extended_and_small_pieces_left_out(self):
+        for name in ("m.inp", "m.bdf", "m.k"):
+            report, run = self.report(name)
+            self.assertEqual((report["parameters"]["extend_rims"], report["parameters"]["min_component_size"]), (True, 100))
+            # The larger plate alone: 32 by 32, as large as it is.
+            self.assertEqual((report["mesh"]["pieces_left_out"]["number"], report["mesh"]["quality"]["walls"]), (1, 1))
+            self.assertAlmostEqual(report["mesh"]["area"], 32 * 32, delta=0.01 * 32 * 32)
+            self.assertRegex(run.stdout, r"\n  small pieces left out +1 of fewer than 100 faces of a voxel, area ")
+            self.assertRegex(run.stdout, r"\n  rims +carried on to the edges of the part by [12]")
+            asked = (self.folder / name).read_bytes()
+            self.report(name, "--extend-rims", "--min-component-size", 100)
+            self.assertEqual((self.folder / name).read_bytes(), asked)
+        self.run_program("extract", "in.mha", "x.mha", "--mesh", "beside.k")
+        self.assertEqual((self.folder / "beside.k").read_bytes(), asked)
+
+    def test_both_can_be_switched_off(self):
+        report, run = self.report("m.inp", "--extend-rims=off")
+        self.assertIsNone(report["mesh"]["remeshing"]["rims"])
+        self.assertRegex(run.stdout, r"\n  rims +half a thickness before the edges of the part\n")
+        self.assertLess(report["mesh"]["area"], 29 * 29)
+        report, run = self.report("m.inp", "--min-component-size", 0)
+        self.assertIsNone(report["mesh"]["pieces_left_out"])
+        self.assertNotIn("small pieces", run.stdout)
+        self.assertEqual(report["mesh"]["quality"]["walls"], 2)
+
+    def test_other_meshes_are_as_before(self):
+        for name, *arguments in (("m.vtp", "--element-size", "auto"), ("m.ply",), ("m.inp", "--element-size", "voxel")):
+            report = self.report(name, *arguments)[0]
+            parameters = report["parameters"]
+            self.assertEqual((parameters["extend_rims"], parameters["min_component_size"]), (False, 0))
+            self.assertIsNone(report["mesh"]["pieces_left_out"])
+        # Objects touch: their rims may be inside the part.
+        self.run_program("extract", "in.mha", "x.mha", "--mesh", "x.inp", "--labels", "all", "--report", "r.json", "--overwrite")
+        parameters = json.loads((self.folder / "r.json").read_text())["parameters"]
+        self.assertEqual((parameters["extend_rims"], parameters["min_component_size"]), (False, 100))
+
+    def test_what_is_left_out_is_a_warning_above_5_percent(self):
+        for width, is_warned in ((8, False), (14, True)):
+            volumes.write_meta(self.folder / "in.mha", two_plates(width))
+            mesh = self.report("m.vtp")[0]["mesh"]
+            report, run = self.report("m.inp")
+            pieces = report["mesh"]["pieces_left_out"]
+            # All that the mesh of voxels has.
+            self.assertAlmostEqual(pieces["area"] + report["mesh"]["remeshing"]["area_before"], mesh["area"], places=4)
+            share = pieces["area"] / mesh["area"]
+            self.assertEqual(share > 0.05, is_warned)
+            found = [warning for warning in report["warnings"] if warning["code"] == "walls_left_out"]
+            self.assertEqual(len(found), is_warned)
+            for warning in found:
+                self.assertAlmostEqual(warning["values"]["area_percent"], 100 * share, places=6)
+                self.assertIn(warning["message"], run.warnings)
+                self.assertIn("1 pieces are small", warning["message"])
+
+    def test_walls_left_out_are_listed(self):
+        # A T whose web is lower than half an element, 4 voxels on a wall of 8.
+        volume = volumes.Volume((48, 40, 24), [])
+        volume.voxels = [
+            int(4 <= x < 44 and (4 <= y < 36 and 4 <= z < 12 or 18 <= y < 22 and 12 <= z < 16)) for x, y, z in volume.indices()
+        ]
+        volumes.write_meta(self.folder / "in.mha", volume)
+        report, run = self.report("m.vtp", "--element-size", 20)
+        remeshing = report["mesh"]["remeshing"]
+        walls = remeshing["left_out"]["walls"]
+        self.assertEqual(len(walls), remeshing["walls_left_out"])
+        self.assertGreater(len(walls), 0)
+        self.assertEqual([wall["number"] for wall in walls], list(range(1, len(walls) + 1)))
+        self.assertAlmostEqual(sum(wall["area"] for wall in walls), remeshing["left_out"]["area"], places=6)
+        share = remeshing["left_out"]["area"] / remeshing["area_before"]
+        self.assertAlmostEqual(share, remeshing["left_out"]["area_share"], places=9)
+        largest = walls[0]
+        # In the middle of the web.
+        self.assertAlmostEqual(largest["position"][0], 23.5, delta=2)
+        self.assertAlmostEqual(largest["position"][1], 19.5, delta=0.6)
+        self.assertLess(largest["position"][2], 16)
+        self.assertLess(largest["width"], 4)
+        self.assertEqual(largest["reason"], "narrower than half an element")
+        self.assertRegex(run.stdout, r"\n  walls left out +1 of 2, .* % of the area, the largest narrower than half an element\n")
 
 
 class ElementSizeTest(ProgramTestCase):
@@ -156,7 +264,7 @@ class ElementSizeTest(ProgramTestCase):
 
     def test_quality_is_the_same_for_all_formats(self):
         found = [
-            self.run_program("mesh", "in.mha", name, "--element-size", "auto", "--report", "-").stdout
+            self.run_program("mesh", "in.mha", name, *SAME, "--report", "-").stdout
             for name in ("m.inp", "m.bdf", "m.k", "m.ply", "m.vtp", "m.vtu", "m.stl")
         ]
         self.assertEqual(len({json.dumps(json.loads(report)["mesh"]["quality"]) for report in found}), 1)

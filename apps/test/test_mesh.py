@@ -193,10 +193,17 @@ class MeshTest(ProgramTestCase):
         self.mesh("both.mha", "both.ply", "--min-component-size", 100, "--divisions", 6, "--report", "both.json")
         self.assertEqual((self.folder / "both.ply").read_bytes(), (self.folder / "one.ply").read_bytes())
         one, both = (json.loads((self.folder / name).read_text())["mesh"] for name in ("r.json", "both.json"))
-        self.assertAlmostEqual(one.pop("area"), both.pop("area"), places=2)
+        area = one.pop("area")
+        self.assertAlmostEqual(area, both.pop("area"), places=2)
+        pieces = both.pop("pieces_left_out")
+        self.assertIsNone(one.pop("pieces_left_out"))
         self.assertEqual(one, both)
         self.mesh("both.mha", "all.ply")
         self.assertGreater(len(Mesh(self.folder / "all.ply").faces), one["faces"])
+        self.mesh("both.mha", "all.vtp", "--report", "all.json")
+        whole = json.loads((self.folder / "all.json").read_text())["mesh"]["area"]
+        self.assertEqual(pieces["number"], 1)
+        self.assertAlmostEqual(pieces["area"], whole - area, places=2)
         self.mesh("both.mha", "none.ply", "--min-component-size", 100000)
         self.assertEqual(Mesh(self.folder / "none.ply").faces, [])
 

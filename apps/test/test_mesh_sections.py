@@ -95,8 +95,8 @@ class MeshSectionsTest(ProgramTestCase):
             moved = solve(model, (70000.0, 0.3), held, {number: (0.0, 0.0, 1 / len(loaded)) for number in loaded}, self.folder)
             deflections.append(sum(move[2] for move in moved.values()) / len(moved))
         self.assertAlmostEqual(deflections[0] / deflections[1], 1, delta=0.01)
-        # A beam of the length and width of the sheet, which is held half a millimeter inside.
-        length, width, thickness = max(x.values()) - min(x.values()) - 0.25, 6, 2
+        # A beam as wide as the plate, and as long as from where it is held to where it is loaded.
+        length, width, thickness = max(x.values()) - min(x.values()) - 0.25, 8, 2
         self.assertAlmostEqual(deflections[0] / (4 * length**3 / (70000 * width * thickness**3)), 1, delta=0.1)
 
     def test_widths_that_make_no_sense(self):

@@ -28,6 +28,7 @@ NEEDS_OF_EXTRACT = {
     "--largest-ball": ["--local-thickness=t.mha"], "--local-thickness-method": ["--local-thickness=t.mha"],
     "--element-size": ["--mesh=m.inp"], "--section-width": ["--mesh=m.inp"], "--vector-boundary": ["--vectors=v.mha"],
     "--zarr-compression": ["--thickness-map=t.zarr"], "--extend-rims": ["--mesh=m.inp"],
+    "--min-component-size": ["--mesh=m.inp"],
 }  # fmt: skip
 FLAG_WORDS = ["true", "ON", "Yes", "1", "false", "off", "NO", "0"]
 ODD_FLAGS = [
@@ -94,7 +95,7 @@ class OptionValueTest(ProgramTestCase):
     def test_values(self):
         seen = set()
         for command, option, unit, choices in self.options:
-            if not unit or command == "plan" and option in ("--mesh", "--element-size", "--section-width"):
+            if not unit or command == "plan" and option in ("--mesh", "--element-size", "--section-width", "--min-component-size"):
                 continue
             with self.subTest(command=command, option=option):
                 odd = [""] if unit in ("FILE", "DIR", "UID") else ODD if option not in seen else ["", "1e999", "3abc"]

@@ -159,6 +159,20 @@ class PlatesTest(RimsTestCase):
                 for v in (-12, 12):
                     self.assertLess(min(math.hypot(p[0] - u, p[1] - v) for p in places), 1.5)
 
+    def test_flat_walls_are_flat(self):
+        # A slope of one voxel in twenty has long steps; nodes of coarse elements would be up to half a voxel off.
+        for is_gray, slope in ((True, 0.05), (False, 0.05), (True, 0.27), (False, 0.15)):
+            plate = Plate(rectangle(80, 50), (40, 25), 5, (slope, 0.3 * slope, 1))
+            plate.write(self.folder / "in.mha", is_gray)
+            self.mesh()
+            heights = [plate.to_plate(point)[2] for point in Mesh(self.folder / "m.inp").points.values()]
+            mean = sum(heights) / len(heights)
+            # A mask is as thick as its layers: its middle may be off, but not one node from another.
+            self.assertLess(abs(mean), 0.02 if is_gray else 0.1)
+            off = sorted(abs(height - mean) for height in heights)
+            self.assertLess(off[int(0.99 * len(off))], 0.05, (is_gray, slope))
+            self.assertLess(off[-1], 0.15, (is_gray, slope))
+
     def test_of_a_mask(self):
         self.check_plate(Plate(rectangle(40, 24), (20, 12), 4), 40 * 24, is_gray=False)
 

@@ -45,7 +45,7 @@ def main():
     arguments = parser.parse_args()
     plotter = pyvista.Plotter(off_screen=True, shape=(1, len(NAMES)), window_size=(1400, 380), border=False)
     with tempfile.TemporaryDirectory() as temporary:
-        mesher = Mesher(arguments.program, ["--extend-rims"] if arguments.extend_rims else [], pathlib.Path(temporary))
+        mesher = Mesher(arguments.program, ["--extend-rims" if arguments.extend_rims else "--extend-rims=off"], pathlib.Path(temporary))
         for column, name in enumerate(NAMES):
             part = JOINTS[name](TILT)
             surface, junctions = to_surface(mesher.mesh_part(part, True), part)

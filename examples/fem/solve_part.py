@@ -19,7 +19,6 @@ import numpy
 from shell_model import ShellModel, find_loose, solve_all
 
 LAYER = 5.0  # of nodes that are held or loaded, in mm
-SMALLEST = 100  # faces, one a voxel, of a piece that is not dust
 
 
 def parse_arguments():
@@ -31,16 +30,14 @@ def parse_arguments():
     parser.add_argument("--modulus", type=float, default=70000.0, help="in N/mm^2 (%(default)s)")
     parser.add_argument("--poisson-ratio", type=float, default=0.33, help="(%(default)s)")
     parser.add_argument("--force", type=float, default=10000.0, help="in N (%(default)s)")
-    parser.add_argument("--extend-rims", action="store_true", help="carry the sheet to the free edges")
     return parser.parse_args()
 
 
 def make_mesh(arguments, folder):
     """The mesh of the part, whose quality keeps the limits."""
     path, report = folder / "part.inp", folder / "report.json"
-    command = [arguments.program, "mesh", arguments.volume, path, "--lower", arguments.lower, "--element-size", "auto"]
-    command += ["--min-component-size", str(SMALLEST), "--report", report]
-    subprocess.run([*command, "--quiet", *(["--extend-rims"] if arguments.extend_rims else [])], check=True)
+    command = [arguments.program, "mesh", arguments.volume, path, "--lower", arguments.lower, "--report", report]
+    subprocess.run([*command, "--quiet"], check=True)
     for limit in json.loads(report.read_text(encoding="utf-8"))["mesh"]["quality"]["limits"]:
         print(f"{limit['name']}: {limit['value']}")
         if not limit["holds"]:

@@ -39,6 +39,12 @@ _ROWS = {
     "walls with one side only": "one_sided_walls",
     "least scaled Jacobian": "least_scaled_jacobian",
     "largest aspect ratio": "largest_aspect_ratio",
+    "largest warpage": "largest_warpage",
+    "least angle": "least_angle",
+    "largest angle": "largest_angle",
+    "shortest side": "shortest_side",
+    "mean side": "mean_side",
+    "longest side": "longest_side",
 }
 
 
@@ -79,6 +85,41 @@ def _measure_shapes(points: np.ndarray, elements: np.ndarray) -> tuple[np.ndarra
         best = 4.0
     aspects = _divide(lengths.max(axis=1, initial=0) * lengths.sum(axis=1), best * _norm(normals) / 2, math.inf)
     return jacobians, aspects
+
+
+def _angles_between(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """In degrees; 0 where one of the vectors is zero."""
+    return np.degrees(np.arccos(_divide((a * b).sum(axis=-1), _norm(a) * _norm(b), 1.0).clip(-1, 1)))
+
+
+def _measure_warpage(corners: np.ndarray) -> np.ndarray:
+    """Of quadrilaterals: the angle between the halves, along the diagonal where it is larger."""
+    warpage = np.zeros(len(corners))
+    for first in (0, 1):
+        a, b, c, d = (corners[:, (first + k) % 4] for k in range(4))
+        warpage = np.maximum(warpage, _angles_between(np.cross(b - a, c - a), np.cross(d - c, a - c)))
+    return warpage
+
+
+def _measure_sizes(points: np.ndarray, elements: np.ndarray) -> dict[str, float]:
+    """Warpage and angles in degrees, and lengths of sides."""
+    is_triangle = elements[:, 3] < 0
+    angles, lengths = [], []
+    for corners in (points[elements[is_triangle, :3]], points[elements[~is_triangle]]):
+        sides = np.roll(corners, -1, axis=1) - corners
+        angles.append(_angles_between(sides, -np.roll(sides, 1, axis=1)).ravel())
+        lengths.append(_norm(sides).ravel())
+    all_angles, all_lengths = np.concatenate(angles), np.concatenate(lengths)
+    warpage = np.sort(_measure_warpage(points[elements[~is_triangle]])) if not is_triangle.all() else np.zeros(1)
+    return {
+        "warpage_percentile_99": float(warpage[int(0.99 * (len(warpage) - 1))]),
+        "largest_warpage": float(warpage[-1]),
+        "least_angle": float(all_angles.min()),
+        "largest_angle": float(all_angles.max()),
+        "shortest_side": float(all_lengths.min()),
+        "mean_side": float(all_lengths.mean()),
+        "longest_side": float(all_lengths.max()),
+    }
 
 
 def _count_repeated(rows: np.ndarray) -> int:
@@ -198,6 +239,7 @@ def measure(points: np.ndarray, elements: np.ndarray, least_jacobian: float = 0.
         **sides,
         "least_scaled_jacobian": float(jacobians.min()),
         "largest_aspect_ratio": float(aspects.max()),
+        **_measure_sizes(points, elements),
         "limits": [
             {"name": name, "value": value, kind: limit, "holds": value >= limit if kind == "least" else value <= limit}
             for name, value, kind, limit in limits

@@ -85,8 +85,23 @@ class Measures(unittest.TestCase):
         del quality["limits"]
         self.assertEqual(quality, {
             "nodes": 6, "triangles": 0, "quadrilaterals": 2, "rim_sides": 6, "junction_sides": 0, "walls": 1,
-            "one_sided_walls": 0, "least_scaled_jacobian": 1.0, "largest_aspect_ratio": 1.0,
+            "one_sided_walls": 0, "least_scaled_jacobian": 1.0, "largest_aspect_ratio": 1.0, "warpage_percentile_99": 0.0,
+            "largest_warpage": 0.0, "least_angle": 90.0, "largest_angle": 90.0, "shortest_side": 1.0, "mean_side": 1.0,
+            "longest_side": 1.0,
         })  # fmt: skip
+
+    def test_warpage_angles_and_sides(self):
+        # A roof over the diagonal from the first corner, and a triangle of sides 3, sqrt(2) and sqrt(17).
+        angle = 0.3
+        points = [[0, 0, 0], [1, -1, 0], [2, 0, 0], [1, math.cos(angle), math.sin(angle)], [3, 0, 0], [4, 1, 0]]
+        quality = _check.measure(np.array(points, float), fill([[0, 1, 2, 3], [0, 4, 5]]))
+        self.assertAlmostEqual(quality["largest_warpage"], math.degrees(angle), places=9)
+        self.assertAlmostEqual(quality["largest_angle"], 135, places=9)
+        self.assertAlmostEqual(quality["least_angle"], math.degrees(math.atan2(1, 4)), places=9)
+        self.assertAlmostEqual(quality["longest_side"], math.sqrt(17), places=12)
+        flat = _check.measure(np.array(points, float), fill([[0, 4, 5]]))
+        self.assertEqual((flat["largest_warpage"], flat["warpage_percentile_99"]), (0, 0))
+        self.assertAlmostEqual(flat["mean_side"], (3 + math.sqrt(2) + math.sqrt(17)) / 3, places=12)
 
     def test_walls_of_one_side_are_no_fault(self):
         for is_moebius in (False, True):
@@ -209,7 +224,9 @@ class Check(support.Folder):
             self.assertEqual(one.keys(), other.keys())
             for key, value in one.items():
                 if isinstance(value, float):
-                    self.assertAlmostEqual(value, other[key], places=places, msg=key)
+                    # Degrees, whose arc cosine near 1 has half of the digits.
+                    digits = min(places - 2, 5) if "angle" in key or "warpage" in key else places
+                    self.assertAlmostEqual(value, other[key], places=digits, msg=key)
                 else:
                     self.assertEqual(value, other[key], key)
 

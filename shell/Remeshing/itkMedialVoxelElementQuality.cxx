@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelElementQuality.h"
 
+#include "itkMedialVoxelSheetVectors.h"
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace itk
 {
@@ -11,6 +15,9 @@ namespace
 {
 
 using Vector = MedialVoxelVector3;
+
+/** Aspect ratio that stands for a quality of 1. */
+constexpr double GoodAspect = 1.6;
 
 template <std::size_t VCorners>
 std::array<Vector, VCorners>
@@ -22,6 +29,12 @@ GetSides(const std::array<Vector, VCorners> & corners)
     sides[k] = MedialVoxelSubtract(corners[(k + 1) % VCorners], corners[k]);
   }
   return sides;
+}
+
+double
+ToDegrees(const double cosine)
+{
+  return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / 3.14159265358979323846;
 }
 
 /** Longest side times circumference, over the area times a number that makes it 1 for the best shape. */
@@ -38,6 +51,27 @@ GetAspectRatio(const std::array<Vector, VCorners> & sides, const double area, co
     sum += length;
   }
   return area > 0.0 ? longest * sum / (best * area) : std::numeric_limits<double>::infinity();
+}
+
+/** The least cosine of the angle between the normals at two corners. */
+double
+GetLeastCosine(const std::array<Vector, 4> & points)
+{
+  std::array<Vector, 4> normals;
+  for (std::size_t corner = 0; corner < 4; ++corner)
+  {
+    normals[corner] =
+      MedialVoxelTriangleNormal({ { points[(corner + 3) % 4], points[corner], points[(corner + 1) % 4] } });
+  }
+  double least = 1.0;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    for (std::size_t k = i + 1; k < 4; ++k)
+    {
+      least = std::min(least, MedialVoxelCosine(normals[i], normals[k]));
+    }
+  }
+  return least;
 }
 
 /** Of a quadrilateral: the sum of the normals of its corners, twice its area in the mean. */
@@ -90,23 +124,64 @@ MedialVoxelAspectRatio(const std::array<Vector, 4> & corners)
   return GetAspectRatio(GetSides(corners), MedialVoxelNorm(GetNormal(corners)) / 2.0, 4.0);
 }
 
+double
+MedialVoxelShellQuality(const std::array<Vector, 3> & corners)
+{
+  return MedialVoxelScaledJacobian(corners);
+}
+
+double
+MedialVoxelShellQuality(const std::array<Vector, 4> & corners)
+{
+  return std::min({ MedialVoxelScaledJacobian(corners),
+                    2.0 * GetLeastCosine(corners) - 1.0,
+                    GoodAspect / MedialVoxelAspectRatio(corners) });
+}
+
+double
+MedialVoxelWarpage(const std::array<Vector, 4> & corners)
+{
+  double least = 1.0;
+  for (const std::size_t k : { 0, 1 })
+  {
+    const auto at = [&](const std::size_t n) { return corners[(k + n) % 4]; };
+    least = std::min(least,
+                     MedialVoxelCosine(MedialVoxelTriangleNormal({ { at(0), at(1), at(2) } }),
+                                       MedialVoxelTriangleNormal({ { at(2), at(3), at(0) } })));
+  }
+  return ToDegrees(least);
+}
+
 void
 MedialVoxelElementShapes::Add(const std::vector<MedialVoxelVector3> & points,
                               const std::array<std::uint32_t, 4> &    corners,
                               const unsigned int                      number)
 {
-  const auto add = [this](const auto & places) {
-    m_Jacobians.push_back(MedialVoxelScaledJacobian(places));
-    m_Aspects.push_back(MedialVoxelAspectRatio(places));
-  };
   const auto at = [&](const unsigned int k) { return points[corners[k]]; };
   if (number == 4)
   {
-    add(std::array<MedialVoxelVector3, 4>{ { at(0), at(1), at(2), at(3) } });
+    const std::array<Vector, 4> places{ { at(0), at(1), at(2), at(3) } };
+    this->AddShape(places);
+    m_Warpages.push_back(MedialVoxelWarpage(places));
   }
   else
   {
-    add(std::array<MedialVoxelVector3, 3>{ { at(0), at(1), at(2) } });
+    this->AddShape(std::array<Vector, 3>{ { at(0), at(1), at(2) } });
+  }
+}
+
+template <std::size_t VCorners>
+void
+MedialVoxelElementShapes::AddShape(const std::array<Vector, VCorners> & corners)
+{
+  const auto sides = GetSides(corners);
+  m_Jacobians.push_back(MedialVoxelScaledJacobian(corners));
+  m_Aspects.push_back(MedialVoxelAspectRatio(corners));
+  for (std::size_t k = 0; k < VCorners; ++k)
+  {
+    const Vector back = MedialVoxelAddScaled({}, sides[(k + VCorners - 1) % VCorners], -1.0);
+    m_Angles.push_back(ToDegrees(MedialVoxelCosine(sides[k], back)));
+    m_Lengths.push_back(MedialVoxelNorm(sides[k]));
   }
 }
 
@@ -124,6 +199,19 @@ MedialVoxelElementShapes::Summarize() const
     summary.lowJacobian = MedialVoxelFindPercentile(jacobians, 0.01);
     summary.highAspect = MedialVoxelFindPercentile(aspects, 0.99);
     summary.largestAspect = *std::max_element(aspects.begin(), aspects.end());
+    const auto [least, largest] = std::minmax_element(m_Angles.begin(), m_Angles.end());
+    summary.leastAngle = *least;
+    summary.largestAngle = *largest;
+    const auto [shortest, longest] = std::minmax_element(m_Lengths.begin(), m_Lengths.end());
+    summary.shortestSide = *shortest;
+    summary.longestSide = *longest;
+    summary.meanSide = std::accumulate(m_Lengths.begin(), m_Lengths.end(), 0.0) / static_cast<double>(m_Lengths.size());
+  }
+  if (!m_Warpages.empty())
+  {
+    std::vector<double> warpages = m_Warpages;
+    summary.highWarpage = MedialVoxelFindPercentile(warpages, 0.99);
+    summary.largestWarpage = *std::max_element(warpages.begin(), warpages.end());
   }
   return summary;
 }

@@ -35,6 +35,19 @@ MedialVoxelAspectRatio(const std::array<MedialVoxelVector3, 3> & corners);
 double
 MedialVoxelAspectRatio(const std::array<MedialVoxelVector3, 4> & corners);
 
+/** The angle between the halves of a quadrilateral, in degrees, along the diagonal where it is larger. */
+double
+MedialVoxelWarpage(const std::array<MedialVoxelVector3, 4> & corners);
+
+/** How good an element of a shell model is: its scaled Jacobian. */
+double
+MedialVoxelShellQuality(const std::array<MedialVoxelVector3, 3> & corners);
+
+/** The same for a quadrilateral: the least of the scaled Jacobian, 1.6 over the aspect ratio, and the flatness, which
+ * is 1 where the normals at all corners are the same, 0.8 for cosines of 0.9 between them, and 0.4 for 0.7. */
+double
+MedialVoxelShellQuality(const std::array<MedialVoxelVector3, 4> & corners);
+
 /** Shapes of all elements of a mesh; of none, all are as of a square. */
 struct MedialVoxelShapeSummary
 {
@@ -43,6 +56,13 @@ struct MedialVoxelShapeSummary
   double        lowJacobian{ 1 };   ///< that 99 % reach
   double        highAspect{ 1 };    ///< aspect ratio that 99 % do not exceed
   double        largestAspect{ 1 };
+  double        highWarpage{ 0 }; ///< degrees, that 99 % of the quadrilaterals do not exceed
+  double        largestWarpage{ 0 };
+  double        leastAngle{ 90 }; ///< degrees, at corners of elements
+  double        largestAngle{ 90 };
+  double        shortestSide{ 0 }; ///< length, in the units of the points
+  double        meanSide{ 0 };     ///< over the elements
+  double        longestSide{ 0 };
 };
 
 /** \class MedialVoxelElementShapes
@@ -62,8 +82,15 @@ public:
   Summarize() const;
 
 private:
+  template <std::size_t VCorners>
+  void
+  AddShape(const std::array<MedialVoxelVector3, VCorners> & corners);
+
   std::vector<double> m_Jacobians;
   std::vector<double> m_Aspects;
+  std::vector<double> m_Warpages; ///< of quadrilaterals
+  std::vector<double> m_Angles;   ///< of corners
+  std::vector<double> m_Lengths;  ///< of sides, for each element again
 };
 
 /** The value that a share of all does not exceed; \a values are not empty, and change their order. */

@@ -47,6 +47,13 @@ public:
     return m_Lines.wallOf[triangle];
   }
 
+  /** Of each triangle. */
+  const std::vector<Index> &
+  GetWalls() const
+  {
+    return m_Lines.wallOf;
+  }
+
   /** Mean length of the sides. */
   double
   GetMeanSide() const

@@ -175,15 +175,16 @@ MakeElements(MedialVoxelSheet                    sheet,
   parts.clear();
   remesher.RunWhole(progress);
 
-  const Complex &                complex = remesher.GetComplex();
+  Complex                        complex = remesher.GetComplex();
   MedialVoxelRemeshedSheet       result;
   std::vector<Complex::Triangle> corners;
   result.summary.holesClosed = remesher.GetNumberOfHolesClosed();
   result.summary.trianglesLeftOut = remesher.GetNumberLeftOut();
   result.summary.orientationConflicts = MedialVoxelOrientWalls(complex, corners);
+  result.elements = MedialVoxelMakeElements(complex, fine, corners, size.joinsTriangles);
   result.summary.area = GetArea(complex);
-  result.summary.wallsLeftOut = complex.CountWallsLeftOut(fine.GetNumberOfWalls());
-  result.elements = MedialVoxelPairTriangles(complex, corners, size.joinsTriangles);
+  result.summary.wallsLeftOut = MedialVoxelListWallsLeftOut(
+    fine.GetSheet(), fine.GetWalls(), complex.FindWallsKept(fine.GetNumberOfWalls()), size.least);
   PutInOrder(fine, complex, result);
   return result;
 }
@@ -229,7 +230,7 @@ MedialVoxelRemesh(MedialVoxelSheet                    sheet,
   }
   result.summary.fineArea = area;
   result.summary.walls = coarse.walls;
-  result.summary.wallsLeftOut += coarse.wallsLeftOut;
+  MedialVoxelAddWallsLeftOut(coarse.wallsLeftOut, result.summary.wallsLeftOut);
   result.summary.holesClosed += holes;
   result.summary.rims = rims;
   return result;

@@ -6,6 +6,7 @@
 #include "itkMedialVoxelElementSize.h"
 #include "itkMedialVoxelSheetDivision.h"
 #include "itkMedialVoxelShellElements.h"
+#include "itkMedialVoxelWallsLeftOut.h"
 
 #include <functional>
 #include <optional>
@@ -24,15 +25,23 @@ struct MedialVoxelRemeshingSummary
     double mean{ 0 };
   };
 
-  Distances     toFine;   ///< of the elements, the mean by area; MedialVoxelSheetDistances measures them
-  Distances     fromFine; ///< of the points of the fine sheet
+  Distances toFine;   ///< of the elements, the mean by area; MedialVoxelSheetDistances measures them
+  Distances fromFine; ///< of the points of the fine sheet
+
+  /** Means as in toFine, of elements of rims, junctions and bends, and of the others, whose share of the area this is.
+   */
+  double toFineAtLines{ 0 };
+  double toFineElsewhere{ 0 };
+  double shareElsewhere{ 0 };
+
   double        fineArea{ 0 };
   double        area{ 0 };
   std::uint64_t walls{ 0 };            ///< of the fine sheet
-  std::uint64_t wallsLeftOut{ 0 };     ///< that no element is left of
   std::uint64_t holesClosed{ 0 };      ///< narrower than the wall is thick, or than an element
   std::uint64_t trianglesLeftOut{ 0 }; ///< of strips and fins too narrow for elements
   std::uint64_t orientationConflicts{ 0 };
+
+  std::vector<MedialVoxelWallLeftOut> wallsLeftOut; ///< the largest first
 
   std::optional<MedialVoxelRimExtensionSummary> rims; ///< unless they stay where they are
 };

@@ -24,6 +24,9 @@ constexpr unsigned int BitsOfClass = 13;
 
 constexpr double MostShare = 0.99;
 
+/** Normals of elements of a bend turn by more than 30 degrees. */
+constexpr double CosineOfBend = 0.866;
+
 std::uint32_t
 GetClass(const double distance)
 {
@@ -85,6 +88,50 @@ private:
   Vector m_High;
 };
 
+/** Of each point, whether it is on a rim, a junction, or a side where the normals of elements turn. */
+std::vector<bool>
+FindLines(const MedialVoxelRemeshedSheet & sheet)
+{
+  struct Side
+  {
+    Index  low;
+    Index  high;
+    Vector normal;
+  };
+  std::vector<Side> sides;
+  for (const MedialVoxelShellElement & element : sheet.elements)
+  {
+    const unsigned int number = element.numberOfCorners;
+    const auto         at = [&](const unsigned int k) { return sheet.points[element.corners[k % number]]; };
+    Vector             normal{};
+    for (unsigned int k = 2; k < number; ++k)
+    {
+      normal = MedialVoxelAddScaled(normal, MedialVoxelTriangleNormal({ { at(0), at(k - 1), at(k) } }), 1.0);
+    }
+    for (unsigned int k = 0; k < number; ++k)
+    {
+      const auto [low, high] = std::minmax(element.corners[k], element.corners[(k + 1) % number]);
+      sides.push_back({ low, high, normal });
+    }
+  }
+  std::stable_sort(sides.begin(), sides.end(), [](const Side & a, const Side & b) {
+    return a.low != b.low ? a.low < b.low : a.high < b.high;
+  });
+  std::vector<bool> isOnLine(sheet.points.size());
+  for (std::size_t first = 0, last = 0; first < sides.size(); first = last)
+  {
+    while (last < sides.size() && sides[first].low == sides[last].low && sides[first].high == sides[last].high)
+    {
+      ++last;
+    }
+    if (last - first != 2 || std::abs(MedialVoxelCosine(sides[first].normal, sides[first + 1].normal)) < CosineOfBend)
+    {
+      isOnLine[sides[first].low] = isOnLine[sides[first].high] = true;
+    }
+  }
+  return isOnLine;
+}
+
 } // namespace
 
 void
@@ -136,9 +183,13 @@ MedialVoxelDistanceHistogram::Summarize() const
 
 MedialVoxelSheetDistances::MedialVoxelSheetDistances(const MedialVoxelRemeshedSheet & sheet)
 {
-  std::vector<Triangle> triangles;
+  std::vector<Triangle>   triangles;
+  const std::vector<bool> isOnLine = FindLines(sheet);
   for (const MedialVoxelShellElement & element : sheet.elements)
   {
+    const auto begin = element.corners.begin();
+    const bool isAtLine =
+      std::any_of(begin, begin + element.numberOfCorners, [&](const Index point) { return isOnLine[point]; });
     for (unsigned int k = 2; k < element.numberOfCorners; ++k)
     {
       triangles.push_back({ { element.corners[0], element.corners[k - 1], element.corners[k] } });
@@ -148,10 +199,10 @@ MedialVoxelSheetDistances::MedialVoxelSheetDistances(const MedialVoxelRemeshedSh
       const Vector middle = MedialVoxelMiddle(corners[0], corners[1]);
       const Vector center = MedialVoxelAddScaled(middle, MedialVoxelSubtract(corners[2], middle), 1.0 / 3.0);
       const double area = GetArea(corners) / 4.0;
-      m_Samples.push_back({ center, area });
+      m_Samples.push_back({ center, area, isAtLine });
       for (const Vector & corner : corners)
       {
-        m_Samples.push_back({ MedialVoxelMiddle(corner, center), area });
+        m_Samples.push_back({ MedialVoxelMiddle(corner, center), area, isAtLine });
       }
     }
   }
@@ -225,16 +276,20 @@ void
 MedialVoxelSheetDistances::Summarize(MedialVoxelRemeshingSummary & summary) const
 {
   MedialVoxelDistanceHistogram histogram;
-  double                       sum = 0.0;
-  double                       areas = 0.0;
+  std::array<double, 2>        sums{}; // elsewhere, and at lines
+  std::array<double, 2>        areas{};
   for (const Sample & sample : m_Samples)
   {
     histogram.Add(sample.distance);
-    sum += sample.area * sample.distance;
-    areas += sample.area;
+    sums[sample.isAtLine] += sample.area * sample.distance;
+    areas[sample.isAtLine] += sample.area;
   }
+  const auto divide = [](const double sum, const double by) { return by > 0.0 ? sum / by : 0.0; };
   summary.toFine = histogram.Summarize();
-  summary.toFine.mean = areas > 0.0 ? sum / areas : 0.0;
+  summary.toFine.mean = divide(sums[0] + sums[1], areas[0] + areas[1]);
+  summary.toFineElsewhere = divide(sums[0], areas[0]);
+  summary.toFineAtLines = divide(sums[1], areas[1]);
+  summary.shareElsewhere = divide(areas[0], areas[0] + areas[1]);
   summary.fromFine = m_Points.Summarize();
 }
 

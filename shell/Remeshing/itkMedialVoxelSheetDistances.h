@@ -80,6 +80,7 @@ private:
   {
     MedialVoxelVector3 point;
     double             area;
+    bool               isAtLine; ///< of an element at a rim, a junction or a bend
     double             distance{ std::numeric_limits<double>::infinity() };
   };
 

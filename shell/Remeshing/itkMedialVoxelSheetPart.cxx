@@ -83,7 +83,8 @@ MedialVoxelCoarsenPart(MedialVoxelSheet                    part,
   MedialVoxelSheetDecimation(complex, size.GetNoise(lines.meanSide), progress).Run();
   MedialVoxelCoarsenedPart result = Collect(part, complex);
   result.walls = lines.numberOfWalls;
-  result.wallsLeftOut = complex.CountWallsLeftOut(lines.numberOfWalls);
+  result.wallsLeftOut =
+    MedialVoxelListWallsLeftOut(part, lines.wallOf, complex.FindWallsKept(lines.numberOfWalls), size.least);
   return result;
 }
 

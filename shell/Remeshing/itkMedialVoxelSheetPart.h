@@ -5,6 +5,7 @@
 
 #include "itkMedialVoxelElementSize.h"
 #include "itkMedialVoxelSheet.h"
+#include "itkMedialVoxelWallsLeftOut.h"
 
 #include <functional>
 
@@ -17,7 +18,7 @@ struct MedialVoxelCoarsenedPart
   MedialVoxelSheet                     sheet;
   std::vector<MedialVoxelSheet::Index> finePoint; ///< of each point, its number in the given one
   std::uint64_t                        walls{ 0 };
-  std::uint64_t                        wallsLeftOut{ 0 }; ///< that were narrower than triangles are
+  std::vector<MedialVoxelWallLeftOut>  wallsLeftOut; ///< that were narrower than triangles are
 };
 
 /** Lets triangles of a part of a sheet grow, where shared points stay as they are. Parts that are done apart fit

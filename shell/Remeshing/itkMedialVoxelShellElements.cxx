@@ -3,6 +3,11 @@
 #include "itkMedialVoxelShellElements.h"
 
 #include "itkMedialVoxelElementQuality.h"
+#include "itkMedialVoxelElementSmoothing.h"
+#include "itkMedialVoxelLoneTriangles.h"
+#include "itkMedialVoxelPairing.h"
+#include "itkMedialVoxelLoneTriangles.h"
+#include "itkMedialVoxelPairing.h"
 
 #include <algorithm>
 #include <cassert>
@@ -16,9 +21,10 @@ using Complex = MedialVoxelTriangleComplex;
 using Index = Complex::Index;
 using Triangle = Complex::Triangle;
 
-constexpr double LeastCosine = 0.9;
-constexpr double LeastQuality = 0.4;
-constexpr double MostAspect = 4.0;
+constexpr unsigned int Rounds = 3;
+
+/** Quadrilaterals are made of triangles where their quality reaches one of these, the best first. */
+constexpr std::array<double, 4> QualitySteps{ { 0.8, 0.6, 0.5, 0.4 } };
 
 /** Whether a triangle goes from a to b. */
 bool
@@ -36,30 +42,7 @@ GetOther(const Complex & complex, const Index triangle, const Index a, const Ind
   return triangles.size() != 2 ? Complex::None : triangles[0] == triangle ? triangles[1] : triangles[0];
 }
 
-/** Whether the normals at all corners are nearly the same: solvers turn thick elements over that are not. */
-bool
-IsNearlyFlat(const std::array<MedialVoxelVector3, 4> & points)
-{
-  std::array<MedialVoxelVector3, 4> normals;
-  for (std::size_t corner = 0; corner < 4; ++corner)
-  {
-    normals[corner] =
-      MedialVoxelTriangleNormal({ { points[(corner + 3) % 4], points[corner], points[(corner + 1) % 4] } });
-  }
-  for (std::size_t i = 0; i < 4; ++i)
-  {
-    for (std::size_t k = i + 1; k < 4; ++k)
-    {
-      const double lengths = MedialVoxelNorm(normals[i]) * MedialVoxelNorm(normals[k]);
-      if (!(MedialVoxelDot(normals[i], normals[k]) > LeastCosine * lengths))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
+/** Two triangles, and the element that they would make. */
 struct Pair
 {
   double                  quality;
@@ -68,45 +51,156 @@ struct Pair
   MedialVoxelShellElement element;
 };
 
-/** Both triangles, when they make a good element. */
-bool
-MakePair(const Complex &               complex,
-         const std::vector<Triangle> & corners,
-         const Index                   first,
-         const unsigned int            k,
-         Pair &                        pair)
+/** \class Joiner
+ * \brief Joins triangles step by step, between which the vertices may move. */
+class Joiner
 {
-  const Index a = corners[first][k];
-  const Index b = corners[first][(k + 1) % 3];
-  const Index second = GetOther(complex, first, a, b);
-  if (second == Complex::None || second < first || !GoesAlong(corners[second], b, a))
-  {
-    return false;
-  }
-  pair.element.corners = { { a, complex.GetOpposite(second, a, b), b, complex.GetOpposite(first, a, b) } };
-  pair.element.numberOfCorners = 4;
-  pair.element.wall = complex.GetWall(first);
-  std::array<MedialVoxelVector3, 4> points;
-  for (unsigned int corner = 0; corner < 4; ++corner)
-  {
-    points[corner] = complex.GetPoint(pair.element.corners[corner]);
-  }
-  pair.quality = MedialVoxelScaledJacobian(points);
-  pair.first = first;
-  pair.second = second;
-  return IsNearlyFlat(points) && pair.quality >= LeastQuality && MedialVoxelAspectRatio(points) <= MostAspect;
-}
+public:
+  Joiner(const Complex & complex, const std::vector<Triangle> & corners)
+    : m_Complex(complex)
+    , m_Corners(corners)
+    , m_Partners(corners.size(), Complex::None)
+  {}
 
-void
-MarkSides(const Complex & complex, MedialVoxelShellElement & element)
-{
-  for (unsigned int k = 0; k < element.numberOfCorners; ++k)
+  /** Triangles that are joined stay so, or get other partners. */
+  void
+  Join()
   {
-    const unsigned int triangles =
-      complex.CountTriangles(element.corners[k], element.corners[(k + 1) % element.numberOfCorners]);
-    element.rimSides = static_cast<std::uint8_t>(element.rimSides | (triangles == 1 ? 1u << k : 0u));
-    element.junctionSides = static_cast<std::uint8_t>(element.junctionSides | (triangles > 2 ? 1u << k : 0u));
+    std::vector<Pair> pairs = this->ListPairs();
+    std::sort(pairs.begin(), pairs.end(), [](const Pair & x, const Pair & y) {
+      return x.quality != y.quality ? x.quality > y.quality
+             : x.first != y.first   ? x.first < y.first
+                                    : x.second < y.second;
+    });
+    MedialVoxelPairing pairing(m_Corners.size());
+    for (const Pair & pair : pairs)
+    {
+      if (this->AreJoined(pair))
+      {
+        pairing.Allow(pair.first, pair.second);
+      }
+    }
+    // In steps: good pairs stay good, when worse ones are allowed.
+    auto next = pairs.begin();
+    for (const double least : QualitySteps)
+    {
+      for (; next != pairs.end() && next->quality >= least; ++next)
+      {
+        if (!this->AreJoined(*next))
+        {
+          pairing.Allow(next->first, next->second);
+        }
+      }
+      pairing.Extend();
+    }
+    for (Index triangle = 0; triangle < m_Partners.size(); ++triangle)
+    {
+      m_Partners[triangle] = pairing.GetPartner(triangle);
+    }
   }
+
+  /** What is joined, then the triangles that are left. */
+  std::vector<MedialVoxelShellElement>
+  ListElements() const
+  {
+    std::vector<MedialVoxelShellElement> elements;
+    for (const Pair & pair : this->ListPairs())
+    {
+      if (this->AreJoined(pair))
+      {
+        elements.push_back(pair.element);
+      }
+    }
+    for (Index triangle = 0; triangle < m_Corners.size(); ++triangle)
+    {
+      if (m_Complex.IsTriangle(triangle) && m_Partners[triangle] == Complex::None)
+      {
+        MedialVoxelShellElement element;
+        element.corners = { { m_Corners[triangle][0], m_Corners[triangle][1], m_Corners[triangle][2], 0 } };
+        element.wall = m_Complex.GetWall(triangle);
+        elements.push_back(element);
+      }
+    }
+    return elements;
+  }
+
+  /** What would be joined if it were better. */
+  std::vector<MedialVoxelShellElement>
+  ListWanted() const
+  {
+    std::vector<MedialVoxelShellElement> elements;
+    for (const Pair & pair : this->ListPairs())
+    {
+      if (m_Partners[pair.first] == Complex::None && m_Partners[pair.second] == Complex::None)
+      {
+        elements.push_back(pair.element);
+      }
+    }
+    return elements;
+  }
+
+private:
+  bool
+  AreJoined(const Pair & pair) const
+  {
+    return m_Partners[pair.first] == pair.second;
+  }
+
+  /** All that share a side of two, in the order of their numbers. */
+  std::vector<Pair>
+  ListPairs() const
+  {
+    std::vector<Pair> pairs;
+    for (Index first = 0; first < m_Corners.size(); ++first)
+    {
+      for (unsigned int k = 0; k < 3 && m_Complex.IsTriangle(first); ++k)
+      {
+        const Index a = m_Corners[first][k];
+        const Index b = m_Corners[first][(k + 1) % 3];
+        const Index second = GetOther(m_Complex, first, a, b);
+        if (second == Complex::None || second < first || !GoesAlong(m_Corners[second], b, a))
+        {
+          continue;
+        }
+        Pair pair{ 0.0, first, second, {} };
+        pair.element.corners = { { a, m_Complex.GetOpposite(second, a, b), b, m_Complex.GetOpposite(first, a, b) } };
+        pair.element.numberOfCorners = 4;
+        pair.element.wall = m_Complex.GetWall(first);
+        pair.quality = MedialVoxelShellQuality(m_Complex, pair.element);
+        pairs.push_back(pair);
+      }
+    }
+    return pairs;
+  }
+
+  const Complex &               m_Complex;
+  const std::vector<Triangle> & m_Corners;
+  std::vector<Index>            m_Partners; ///< of triangles; None: it is not joined
+};
+
+/** Marks sides of one element, and of more than two. */
+void
+MarkSides(std::vector<MedialVoxelShellElement> & elements)
+{
+  const auto forEachSide = [&](auto && function) {
+    for (MedialVoxelShellElement & element : elements)
+    {
+      for (unsigned int k = 0; k < element.numberOfCorners; ++k)
+      {
+        function(element, k, std::minmax(element.corners[k], element.corners[(k + 1) % element.numberOfCorners]));
+      }
+    }
+  };
+  using Side = std::pair<Index, Index>;
+  std::vector<Side> sides;
+  forEachSide([&](auto &, unsigned int, const Side & side) { sides.push_back(side); });
+  std::sort(sides.begin(), sides.end());
+  forEachSide([&](MedialVoxelShellElement & element, const unsigned int k, const Side & side) {
+    const auto range = std::equal_range(sides.begin(), sides.end(), side);
+    const auto number = range.second - range.first;
+    element.rimSides = static_cast<std::uint8_t>(element.rimSides | (number == 1 ? 1u << k : 0u));
+    element.junctionSides = static_cast<std::uint8_t>(element.junctionSides | (number > 2 ? 1u << k : 0u));
+  });
 }
 
 } // namespace
@@ -156,51 +250,35 @@ MedialVoxelOrientWalls(const Complex & complex, std::vector<Triangle> & corners)
   return conflicts;
 }
 
+double
+MedialVoxelShellQuality(const Complex & complex, const MedialVoxelShellElement & element)
+{
+  const auto at = [&](const unsigned int k) { return complex.GetPoint(element.corners[k]); };
+  return element.numberOfCorners == 3
+           ? MedialVoxelShellQuality(std::array<MedialVoxelVector3, 3>{ { at(0), at(1), at(2) } })
+           : MedialVoxelShellQuality(std::array<MedialVoxelVector3, 4>{ { at(0), at(1), at(2), at(3) } });
+}
+
 std::vector<MedialVoxelShellElement>
-MedialVoxelPairTriangles(const Complex & complex, const std::vector<Triangle> & corners, const bool joins)
+MedialVoxelMakeElements(Complex &                     complex,
+                        const MedialVoxelFineSheet &  fine,
+                        const std::vector<Triangle> & corners,
+                        const bool                    joins)
 {
   assert(corners.size() == complex.GetNumberOfTriangles());
-  std::vector<Pair> pairs;
-  for (Index triangle = 0; triangle < corners.size(); ++triangle)
+  Joiner joiner(complex, corners);
+  for (unsigned int round = 0; joins && round < Rounds; ++round)
   {
-    for (unsigned int k = 0; k < 3 && joins && complex.IsTriangle(triangle); ++k)
-    {
-      Pair pair{};
-      if (MakePair(complex, corners, triangle, k, pair))
-      {
-        pairs.push_back(pair);
-      }
-    }
+    joiner.Join();
+    MedialVoxelSmoothElements(complex, fine, joiner.ListElements(), joiner.ListWanted());
   }
-  std::sort(pairs.begin(), pairs.end(), [](const Pair & x, const Pair & y) {
-    return x.quality != y.quality ? x.quality > y.quality
-           : x.first != y.first   ? x.first < y.first
-                                  : x.second < y.second;
-  });
-  std::vector<MedialVoxelShellElement> elements;
-  std::vector<bool>                    isTaken(corners.size());
-  for (const Pair & pair : pairs)
+  std::vector<MedialVoxelShellElement> elements = joiner.ListElements();
+  for (unsigned int round = 0; joins && round < Rounds; ++round)
   {
-    if (!isTaken[pair.first] && !isTaken[pair.second])
-    {
-      isTaken[pair.first] = isTaken[pair.second] = true;
-      elements.push_back(pair.element);
-    }
+    MedialVoxelJoinLoneTriangles(complex, elements);
+    MedialVoxelSmoothElements(complex, fine, elements, {});
   }
-  for (Index triangle = 0; triangle < corners.size(); ++triangle)
-  {
-    if (complex.IsTriangle(triangle) && !isTaken[triangle])
-    {
-      MedialVoxelShellElement element;
-      element.corners = { { corners[triangle][0], corners[triangle][1], corners[triangle][2], 0 } };
-      element.wall = complex.GetWall(triangle);
-      elements.push_back(element);
-    }
-  }
-  for (MedialVoxelShellElement & element : elements)
-  {
-    MarkSides(complex, element);
-  }
+  MarkSides(elements);
   return elements;
 }
 

@@ -3,6 +3,8 @@
 #ifndef itkMedialVoxelShellElements_h
 #define itkMedialVoxelShellElements_h
 
+#include "itkMedialVoxelElementQuality.h"
+#include "itkMedialVoxelFineSheet.h"
 #include "itkMedialVoxelTriangleComplex.h"
 
 namespace itk
@@ -29,14 +31,20 @@ std::uint64_t
 MedialVoxelOrientWalls(const MedialVoxelTriangleComplex &                  complex,
                        std::vector<MedialVoxelTriangleComplex::Triangle> & corners);
 
-/** Joins triangles to quadrilaterals, best first: where two share a side that no third one has, are nearly in one plane
- * (cosine above 0.9), and give a scaled Jacobian of 0.4 at least. What is left stays a triangle.
+/** Of an element, by the places of its corners. */
+double
+MedialVoxelShellQuality(const MedialVoxelTriangleComplex & complex, const MedialVoxelShellElement & element);
+
+/** Joins triangles that share a side to quadrilaterals of a quality of 0.4 at least: as many as possible, the best
+ * first. Vertices inside walls move to where elements are better, and let more of them be joined.
+ * \param fine    the sheet that vertices stay on
  * \param corners as MedialVoxelOrientWalls() has left them
- * \param joins   false: all stay triangles */
+ * \param joins   false: all stay as they are */
 std::vector<MedialVoxelShellElement>
-MedialVoxelPairTriangles(const MedialVoxelTriangleComplex &                        complex,
-                         const std::vector<MedialVoxelTriangleComplex::Triangle> & corners,
-                         bool                                                      joins);
+MedialVoxelMakeElements(MedialVoxelTriangleComplex &                              complex,
+                        const MedialVoxelFineSheet &                              fine,
+                        const std::vector<MedialVoxelTriangleComplex::Triangle> & corners,
+                        bool                                                      joins);
 
 } // end namespace itk
 

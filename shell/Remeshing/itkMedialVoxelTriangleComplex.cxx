@@ -66,18 +66,18 @@ MedialVoxelTriangleComplex::AddTriangle(const Triangle & triangle, const Index w
   return number;
 }
 
-std::uint64_t
-MedialVoxelTriangleComplex::CountWallsLeftOut(const Index numberOfWalls) const
+std::vector<bool>
+MedialVoxelTriangleComplex::FindWallsKept(const Index numberOfWalls) const
 {
-  std::vector<bool> isLeft(numberOfWalls);
+  std::vector<bool> isKept(numberOfWalls);
   for (Index triangle = 0; triangle < m_Triangles.size(); ++triangle)
   {
     if (this->IsTriangle(triangle))
     {
-      isLeft[m_Walls[triangle]] = true;
+      isKept[m_Walls[triangle]] = true;
     }
   }
-  return static_cast<std::uint64_t>(std::count(isLeft.begin(), isLeft.end(), false));
+  return isKept;
 }
 
 std::array<MedialVoxelTriangleComplex::Point, 3>

@@ -91,8 +91,8 @@ public:
     return m_Walls[triangle];
   }
   /** How many of the walls from 0 on have no triangle. */
-  std::uint64_t
-  CountWallsLeftOut(Index numberOfWalls) const;
+  std::vector<bool>
+  FindWallsKept(Index numberOfWalls) const;
 
   Vertex &
   GetVertex(Index vertex)

@@ -57,7 +57,9 @@ MedialVoxelSurfaceComponents::Keep(const std::uint64_t smallest)
   {
     checker.Count();
     const std::int64_t entry = m_Entries[this->RootOf(static_cast<std::int32_t>(vertex))];
-    kept[vertex] = static_cast<std::uint64_t>(-1 - entry) >= smallest;
+    const auto         quads = static_cast<std::uint64_t>(-1 - entry);
+    kept[vertex] = quads >= smallest;
+    m_LeftOut += m_Entries[vertex] < 0 && quads > 0 && !kept[vertex] ? 1 : 0;
   }
   std::int32_t number = 0;
   for (std::size_t vertex = 0; vertex < kept.size(); ++vertex)

@@ -35,6 +35,13 @@ public:
   void
   Keep(std::uint64_t smallest);
 
+  /** After Keep(): components that it does not keep. */
+  std::uint64_t
+  GetNumberLeftOut() const
+  {
+    return m_LeftOut;
+  }
+
   /** After Keep(). */
   bool
   IsKept(const std::uint64_t vertex) const
@@ -56,6 +63,7 @@ private:
   /** The parent in the tree of a component, or of a root -1 less the quadrilaterals of its component; after Keep() the
    * new number, or -1. */
   std::vector<std::int32_t> m_Entries;
+  std::uint64_t             m_LeftOut{ 0 };
 };
 
 } // end namespace itk

@@ -224,7 +224,7 @@ RemoveBranches(const MeshSpool & surface, const SheetCleaning & cleaning)
 }
 
 std::unique_ptr<MeshSpool>
-RemoveSmallComponents(const MeshSpool & surface, const SheetCleaning & cleaning)
+RemoveSmallComponents(const MeshSpool & surface, const SheetCleaning & cleaning, PiecesLeftOut & pieces)
 {
   CheckMemory(surface, surface.GetNumberOfVertices() * ComponentVertexSize, cleaning, "finding its small components");
   MedialVoxelSurfaceComponents components;
@@ -233,13 +233,21 @@ RemoveSmallComponents(const MeshSpool & surface, const SheetCleaning & cleaning)
     components.AddQuad(quad.vertices);
   });
   components.Keep(cleaning.minimumComponentSize);
+  pieces.number = components.GetNumberLeftOut();
 
   auto kept = std::make_unique<MeshSpool>(cleaning.scratchFolder, surface.GetPrecision());
   CopyVertices(surface, *kept, [&](std::uint64_t vertex) { return components.IsKept(vertex); });
   CopyFaces(
     surface,
     *kept,
-    [&](std::uint64_t, const MeshFace * face) { return components.IsKept(face->vertices[0]); },
+    [&](std::uint64_t, const MeshFace * face) {
+      const bool isKept = components.IsKept(face->vertices[0]);
+      for (unsigned int k = 0; !isKept && k < GetFacesPerQuad(surface); ++k)
+      {
+        pieces.area += face[k].area;
+      }
+      return isKept;
+    },
     [&](std::uint64_t vertex) { return components.NumberOf(vertex); });
   return kept;
 }
@@ -247,7 +255,7 @@ RemoveSmallComponents(const MeshSpool & surface, const SheetCleaning & cleaning)
 } // namespace
 
 std::unique_ptr<MeshSpool>
-CleanSheet(std::unique_ptr<MeshSpool> surface, const SheetCleaning & cleaning)
+CleanSheet(std::unique_ptr<MeshSpool> surface, const SheetCleaning & cleaning, std::optional<PiecesLeftOut> & pieces)
 {
   if (cleaning.minimumBranchLength > 0)
   {
@@ -255,7 +263,7 @@ CleanSheet(std::unique_ptr<MeshSpool> surface, const SheetCleaning & cleaning)
   }
   if (cleaning.minimumComponentSize > 1)
   {
-    surface = RemoveSmallComponents(*surface, cleaning);
+    surface = RemoveSmallComponents(*surface, cleaning, pieces.emplace());
   }
   return surface;
 }

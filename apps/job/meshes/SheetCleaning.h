@@ -4,11 +4,13 @@
 #define medialvoxelSheetCleaning_h
 
 #include "MeshSpool.h"
+#include "SheetSummary.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace medialvoxel
 {
@@ -31,9 +33,10 @@ struct SheetCleaning
 
 /** The surface without short branches, and then without small components. Its faces are quadrilaterals, or pairs of
  * triangles of which each is one. There are two spools at a time, and memory for every vertex and face.
+ * \param pieces what is left out of small components, where they are
  * \throw JobError Refused when that is more memory than allowed */
 std::unique_ptr<MeshSpool>
-CleanSheet(std::unique_ptr<MeshSpool> surface, const SheetCleaning & cleaning);
+CleanSheet(std::unique_ptr<MeshSpool> surface, const SheetCleaning & cleaning, std::optional<PiecesLeftOut> & pieces);
 
 /** Memory that cleaning takes for so many vertices and as many faces. */
 std::uint64_t

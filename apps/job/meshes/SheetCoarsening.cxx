@@ -7,6 +7,7 @@
 #include "MeshReader.h"
 
 #include "itkMedialVoxelSheetDistances.h"
+#include "itkMedialVoxelWallFitting.h"
 #include "itkMedialVoxelSheetPart.h"
 
 #include <unordered_map>
@@ -145,7 +146,7 @@ SheetCoarsening::ReadPart(const std::uint64_t number) const
 }
 
 std::unique_ptr<MeshSpool>
-SheetCoarsening::Coarsen() const
+SheetCoarsening::Coarsen(std::vector<itk::MedialVoxelWallLeftOut> & wallsLeftOut) const
 {
   struct Coarsened
   {
@@ -206,6 +207,7 @@ SheetCoarsening::Coarsen() const
       faces.push_back(face);
     }
     result->AddFaces(faces);
+    itk::MedialVoxelAddWallsLeftOut(coarsened.part.wallsLeftOut, wallsLeftOut);
   };
   OrderedWork<Coarsened>::Run(
     this->GetNumberOfParts(), m_Remeshing.threads, make, take, [this] { m_Remeshing.progress(0.0); });
@@ -246,6 +248,20 @@ SheetCoarsening::MeasureDistances(const itk::MedialVoxelRemeshedSheet & coarse,
     isFirst = false;
   }
   distances.Summarize(summary);
+}
+
+void
+SheetCoarsening::FitWalls(itk::MedialVoxelRemeshedSheet & coarse, const double noise) const
+{
+  itk::MedialVoxelWallFitting fitting(coarse, noise);
+  using Sums = std::vector<itk::MedialVoxelWallFitting::Sums>;
+  OrderedWork<Sums>::Run(
+    this->GetNumberOfParts(),
+    m_Remeshing.threads,
+    [&](const std::uint64_t number, const Check &) { return fitting.Measure(this->ReadPart(number).sheet); },
+    [&](std::uint64_t, const Sums & sums) { fitting.Add(sums); },
+    [this] { m_Remeshing.progress(0.0); });
+  coarse.points = fitting.FindPlaces();
 }
 
 std::uint64_t

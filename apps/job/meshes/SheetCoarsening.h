@@ -18,13 +18,17 @@ class SheetCoarsening
 public:
   SheetCoarsening(std::unique_ptr<MeshSpool> surface, const SheetRemeshing & remeshing);
 
-  /** The surface with triangles that elements are made of. */
+  /** The surface with triangles that elements are made of, and the walls that none of them is left of. */
   std::unique_ptr<MeshSpool>
-  Coarsen() const;
+  Coarsen(std::vector<itk::MedialVoxelWallLeftOut> & wallsLeftOut) const;
 
   /** Adds the distances between the surface and a coarse one to its summary. */
   void
   MeasureDistances(const itk::MedialVoxelRemeshedSheet & coarse, itk::MedialVoxelRemeshingSummary & summary) const;
+
+  /** Moves nodes of a coarse surface to where this one is in the mean. */
+  void
+  FitWalls(itk::MedialVoxelRemeshedSheet & coarse, double noise) const;
 
   /** Memory that it takes, for a number of threads. */
   static std::uint64_t

@@ -137,6 +137,7 @@ SheetMesh::Write(OutputFile &                        file,
   summary.faces = m_Spool->GetNumberOfFaces();
   summary.area = m_Area;
   summary.elementSize = m_Options.elementSize;
+  summary.pieces = m_Pieces;
   summary.remeshing = m_Remeshing;
   if (m_Remeshing)
   {
@@ -163,7 +164,7 @@ SheetMesh::Finish(std::uint64_t memoryLimit, unsigned int threads, const std::fu
   {
     m_Cleaning.memoryLimit += memoryLimit;
     m_Cleaning.progress = progress;
-    m_Spool = CleanSheet(std::move(m_Spool), m_Cleaning);
+    m_Spool = CleanSheet(std::move(m_Spool), m_Cleaning, m_Pieces);
   }
   if (IsRemeshed(m_Options))
   {

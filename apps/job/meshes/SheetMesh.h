@@ -120,6 +120,7 @@ private:
   std::vector<MeshVertex>                         m_Vertices; // of one slice, for the spool
   std::vector<MeshFace>                           m_Faces;
   double                                          m_Area{ 0 };
+  std::optional<PiecesLeftOut>                    m_Pieces;
   std::optional<itk::MedialVoxelRemeshingSummary> m_Remeshing;
   double                                          m_RemeshingSeconds{ 0 };
   FindObject                                      m_FindObject;

@@ -221,7 +221,8 @@ RemeshSheet(std::unique_ptr<MeshSpool>         surface,
   settings.threads = GetThreads(remeshing);
   settings.size.noise = NoiseOfSide * fineSide;
   const SheetCoarsening fine(std::move(surface), settings);
-  const auto            coarse = fine.Coarsen();
+  std::vector<itk::MedialVoxelWallLeftOut> wallsLeftOut;
+  const auto                               coarse = fine.Coarsen(wallsLeftOut);
   CheckMemory(*coarse, remeshing.memoryLimit);
   std::vector<std::uint32_t> objects;
   MeshReader                 reader(*coarse, remeshing.progress);
@@ -229,8 +230,11 @@ RemeshSheet(std::unique_ptr<MeshSpool>         surface,
     itk::MedialVoxelRemesh(ReadSheet(reader, objects), settings.size, remeshing.progress, MakeRunner(settings));
   auto               result = std::make_unique<MeshSpool>(remeshing.scratchFolder, coarse->GetPrecision());
   std::vector<Index> places;
+  fine.FitWalls(sheet, settings.size.noise);
   fine.MeasureDistances(sheet, sheet.summary);
   sheet.summary.fineArea = area;
+  sheet.summary.walls += wallsLeftOut.size();
+  itk::MedialVoxelAddWallsLeftOut(wallsLeftOut, sheet.summary.wallsLeftOut);
   AddVertices(sheet, objects, places, *result);
   AddFaces(sheet, objects, places, *result);
   summary = sheet.summary;

@@ -14,6 +14,13 @@
 namespace medialvoxel
 {
 
+/** Components of a sheet that are not written, as they are small. */
+struct PiecesLeftOut
+{
+  std::uint64_t number{ 0 };
+  double        area{ 0 }; ///< physical units squared
+};
+
 /** The medial mesh in a report. */
 struct SheetSummary
 {
@@ -23,6 +30,7 @@ struct SheetSummary
 
   ElementSize elementSize; ///< of its faces
 
+  std::optional<PiecesLeftOut>                    pieces;    ///< where small ones are looked for
   std::optional<itk::MedialVoxelRemeshingSummary> remeshing; ///< unless they have that of a voxel
   std::optional<MeshQuality>                      quality;   ///< of its faces, likewise
   double                                          remeshingSeconds{ 0 };

@@ -59,10 +59,13 @@ AddMesh(std::vector<OptionRow> & rows)
     .Help("Split the quadrilaterals", "Along the shorter diagonal.")
     .Python(Mesh);
   AddRow(rows, "--min-component-size", "N", Count(&ExtractOptions::minimumComponentSize, 0))
-    .Of(Mesh, "Mesh")
+    .Of(Sheets, "Mesh")
+    .HiddenIn(Plan)
     .Formerly("--smallest-component")
-    .Help("Leave out components of fewer quadrilaterals",
-          "Default 0, which keeps all. Holds the whole surface in memory.")
+    .Help("Leave out components of fewer faces of a voxel",
+          std::string("Default 100 for elements of a size in ") + SolverExtensions +
+            "; otherwise 0, which keeps all. Holds the whole surface in memory. Needs a mesh.")
+    .Needs("--mesh", HasMesh)
     .Python(Mesh);
 }
 
@@ -115,11 +118,14 @@ AddElements(std::vector<OptionRow> & rows)
         solvers + ".")
     .Needs("a mesh that is written as " + solvers, HasElements);
   AddRow(rows, "--extend-rims", "", Flag(&ExtractOptions::extendsRims))
-    .Of(Mesh, "Mesh")
-    .Help(
-      "Carry the sheet on to the free edges of the part",
-      "The sheet ends half the thickness of its wall before each free edge of the part. It is carried on in its plane "
-      "to the surface, at most for the thickness; with --labels for half the thickness. Needs an element size.")
+    .Of(Sheets, "Mesh")
+    .HiddenIn(Plan)
+    .Help("Carry the sheet on to the free edges of the part; =off: not",
+          "The sheet ends half the thickness of its wall before each free edge of the part. It is carried on in its "
+          "plane to the surface, at most for the thickness; with --labels for half the thickness. Default: on for "
+          "elements of a size in " +
+            solvers + ", without --labels. Needs an element size.")
+    .Needs("--mesh", HasMesh)
     .Python(Mesh)
     .Slicer({ "Further outputs", "extendRims", "Extend rims", "" });
   AddRow(rows, "--section-width", "W", Length(&ExtractOptions::sectionWidth))

@@ -182,15 +182,35 @@ ListViewRows()
     { ExtractTable, "places.thick", "thick places", OfPlaces("thick", "above", "maximum") },
 
     { ExtractTable, "mesh", "mesh", "{mesh.vertices} vertices, {mesh.faces} faces" },
+    { ExtractTable,
+      "mesh.pieces_left_out",
+      "  small pieces left out",
+      "{mesh.pieces_left_out.number} of fewer than {parameters.min_component_size} faces of a voxel, area {short "
+      "mesh.pieces_left_out.area}" },
+    { ExtractTable,
+      "mesh.remeshing",
+      "  rims",
+      "[mesh.remeshing.rims?carried on to the edges of the part by {short mesh.remeshing.rims.mean_extension} in the "
+      "mean, {short mesh.remeshing.rims.largest_extension} at most][!mesh.remeshing.rims?half a thickness before the "
+      "edges of the part]" },
     { ExtractTable, "mesh.remeshing", "  area", "{short mesh.area} of {short mesh.remeshing.area_before}" },
     { ExtractTable,
       "mesh.remeshing",
       "  farthest from the fine surface",
       "{short mesh.remeshing.distance_to_fine.largest mesh.remeshing.distance_from_fine.largest}, 99 % within {short "
       "mesh.remeshing.distance_to_fine.percentile_99 mesh.remeshing.distance_from_fine.percentile_99}" },
-    { ExtractTable, "mesh.remeshing", "  walls left out", "{mesh.remeshing.walls_left_out} of {mesh.remeshing.walls}" },
+    { ExtractTable,
+      "mesh.remeshing",
+      "  mean distance to it",
+      "{short mesh.remeshing.mean_distance_elsewhere} on {percent mesh.remeshing.area_share_elsewhere} of the area, "
+      "{short mesh.remeshing.mean_distance_at_lines} at rims, junctions and bends" },
+    { ExtractTable,
+      "mesh.remeshing",
+      "  walls left out",
+      "{mesh.remeshing.walls_left_out} of {mesh.remeshing.walls}, {percent mesh.remeshing.left_out.area_share} of the "
+      "area[mesh.remeshing.left_out.walls?, the largest {mesh.remeshing.left_out.walls.0.reason}]" },
     { ExtractTable, "mesh.remeshing", "  orientation conflicts", "{mesh.remeshing.orientation_conflicts}" },
-    { ExtractTable, "mesh.quality", "  triangles", "{mesh.quality.triangles}" },
+    { ExtractTable, "mesh.quality", "  triangles", "{count mesh.quality.triangles mesh.faces} of the elements" },
     { ExtractTable, "mesh.quality", "  quadrilaterals", "{mesh.quality.quadrilaterals}" },
     { ExtractTable, "mesh.quality", "  sides of one element", "{mesh.quality.rim_sides}" },
     { ExtractTable, "mesh.quality", "  sides of more than two", "{mesh.quality.junction_sides}" },
@@ -198,6 +218,20 @@ ListViewRows()
     { ExtractTable, "mesh.quality", "  walls with one side only", "{mesh.quality.one_sided_walls}" },
     { ExtractTable, "mesh.quality", "  least scaled Jacobian", "{short mesh.quality.least_scaled_jacobian}" },
     { ExtractTable, "mesh.quality", "  largest aspect ratio", "{short mesh.quality.largest_aspect_ratio}" },
+    { ExtractTable,
+      "mesh.quality",
+      "  warpage",
+      "{short mesh.quality.largest_warpage} degrees at most, of 99 % up to {short "
+      "mesh.quality.warpage_percentile_99}" },
+    { ExtractTable,
+      "mesh.quality",
+      "  angles",
+      "{short mesh.quality.least_angle} to {short mesh.quality.largest_angle} degrees" },
+    { ExtractTable,
+      "mesh.quality",
+      "  sides",
+      "{short mesh.quality.shortest_side} to {short mesh.quality.longest_side} long, mean {short "
+      "mesh.quality.mean_side}" },
     { ExtractTable, "", "  {name}", MeshLimitText, "/mesh/quality/limits" },
 
     { SurfaceTable,

@@ -3,6 +3,7 @@
 #ifndef medialvoxelWarningRules_h
 #define medialvoxelWarningRules_h
 
+#include "Text.h"
 #include "Warning.h"
 
 #include <optional>
@@ -19,6 +20,13 @@ struct WarningText
   std::string                                 message;
   std::vector<std::pair<std::string, double>> values;
 };
+
+/** A share as a whole percentage, or as 0.5 % and the like. */
+inline std::string
+FormatShare(const double share)
+{
+  return FormatFixed(100.0 * share, share > 0.0 && share < 0.01 ? 1 : 0) + " %";
+}
 
 /** A row of a table: a code, and the check that finds whether it applies to the facts. */
 template <typename... TFacts>

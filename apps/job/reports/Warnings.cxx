@@ -4,7 +4,7 @@
 
 #include "FillIn.h"
 #include "JobResult.h"
-#include "MeshJson.h"
+#include "MeshWarnings.h"
 #include "ObjectWarnings.h"
 #include "Options.h"
 #include "Progress.h"
@@ -24,13 +24,6 @@ namespace medialvoxel
 {
 namespace
 {
-
-/** A share as a whole percentage, or as 0.5 % and the like. */
-std::string
-FormatShare(double share)
-{
-  return FormatFixed(100.0 * share, share > 0.0 && share < 0.01 ? 1 : 0) + " %";
-}
 
 /** The smallest spacing of axes longer than 1, in physical units. */
 double
@@ -172,46 +165,7 @@ CheckMedialCells(const ExtractOptions & options, const JobResult & result)
                       {} };
 }
 
-/** Elements too large for a part lose details narrower than they are. */
-std::optional<WarningText>
-CheckElements(const ExtractOptions &, const JobResult & result)
-{
-  constexpr double nearlyAll = 0.9;
-  if (!result.surface || !result.surface->remeshing || result.surface->remeshing->fineArea <= 0.0)
-  {
-    return std::nullopt;
-  }
-  const double share = result.surface->area / result.surface->remeshing->fineArea;
-  if (share >= nearlyAll)
-  {
-    return std::nullopt;
-  }
-  return WarningText{
-    "the mesh has only " + FormatShare(share) +
-      " of the area of the sheet: its elements are too large for the rest; a smaller --element-size keeps it",
-    { { "area_percent", 100.0 * share } }
-  };
-}
-
-/** Elements that solvers refuse or compute badly with. */
-std::optional<WarningText>
-CheckQuality(const ExtractOptions &, const JobResult & result)
-{
-  std::string failing;
-  const Json  mesh = result.surface ? MakeMeshJson(*result.surface) : Json();
-  for (const Json & limit : result.surface && result.surface->quality ? mesh["quality"]["limits"] : Json())
-  {
-    failing +=
-      limit["holds"] ? "" : (failing.empty() ? "" : "; ") + FillIn(std::string("{name}: ") + MeshLimitText, limit);
-  }
-  return failing.empty()
-           ? std::nullopt
-           : std::optional<WarningText>({ "the mesh is beyond limits that solvers ask for: " + failing, {} });
-}
-
-const std::vector<Rule<ExtractOptions, JobResult>> SheetRules{ { "no_medial_cells", CheckMedialCells, true },
-                                                               { "coarse_elements", CheckElements },
-                                                               { "poor_elements", CheckQuality } };
+const std::vector<Rule<ExtractOptions, JobResult>> SheetRules{ { "no_medial_cells", CheckMedialCells, true } };
 
 /** Facts about the walls after an extraction. */
 struct WallFacts
@@ -416,6 +370,7 @@ FindWarningsOfResult(const ExtractOptions & options, const JobResult & result)
   std::vector<Warning> warnings;
   ApplyObjectRules(warnings, options, result);
   Apply(SheetRules, warnings, options, result);
+  ApplyMeshRules(warnings, result);
   Apply(BallRules, warnings, options, result);
   return warnings;
 }
@@ -454,6 +409,7 @@ ListWarningCodes()
   AddCodes(DistanceRequestRules, codes);
   AddObjectCodes(codes);
   AddCodes(SheetRules, codes);
+  AddMeshCodes(codes);
   AddCodes(WallRules, codes);
   AddCodes(BallRules, codes);
   return { codes.begin(), codes.end() };

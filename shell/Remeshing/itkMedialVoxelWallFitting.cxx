@@ -1,0 +1,499 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelWallFitting.h"
+
+#include "itkMedialVoxelElementQuality.h"
+#include "itkMedialVoxelSheetVectors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+
+using Element = MedialVoxelShellElement;
+using Index = std::uint32_t;
+using Vector = MedialVoxelVector3;
+
+constexpr Index None = ~Index{ 0 };
+
+/** In sizes of elements round a node. */
+constexpr std::array<double, 7> Radii{ { 1.5, 2.5, 4.0, 6.0, 9.0, 13.0, 20.0 } };
+
+/** In noises: root of the mean square of what a fit leaves at most, and how far points may be from their element. */
+constexpr double MostRest = 0.7;
+constexpr double MostAway = 3.0;
+
+/** Between the normals of elements and the normal of a node. */
+constexpr double LeastCosine = 0.7;
+
+/** In noises, that nodes move at most. */
+constexpr double MostMove = 2.0;
+
+/** A quadric of a larger round leaves so much more than that of a smaller one at most, unless both are small, in
+ * noises: walls are not round far around. */
+constexpr double GrowthOfRest = 1.2;
+constexpr double LeastRest = 0.05;
+
+/** A plane is taken unless a quadric leaves less of the rest than this share. */
+constexpr double ShareOfPlane = 0.8;
+
+/** Elements for each number that is fitted. */
+constexpr std::size_t ElementsPerNumber = 2;
+
+/** No element becomes worse than that. */
+constexpr double LeastQuality = 0.4;
+
+std::vector<Vector>
+GetCorners(const std::vector<Vector> & points, const Element & element)
+{
+  std::vector<Vector> corners;
+  for (unsigned int k = 0; k < element.numberOfCorners; ++k)
+  {
+    corners.push_back(points[element.corners[k]]);
+  }
+  return corners;
+}
+
+Vector
+Normalize(const Vector & vector)
+{
+  const double length = MedialVoxelNorm(vector);
+  return length > 0.0 ? MedialVoxelAddScaled({}, vector, 1.0 / length) : vector;
+}
+
+/** Solves equations of a symmetric matrix, which the numbers take the place of; false: they have no one solution. */
+template <std::size_t VSize>
+bool
+SolveInPlace(std::array<std::array<double, VSize>, VSize> & matrix,
+             std::array<double, VSize> &                    values,
+             const std::size_t                              size)
+{
+  // Cholesky, with the lower triangle in place.
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const double diagonal = matrix[i][i];
+    for (std::size_t j = 0; j <= i; ++j)
+    {
+      double sum = matrix[i][j];
+      for (std::size_t k = 0; k < j; ++k)
+      {
+        sum -= matrix[i][k] * matrix[j][k];
+      }
+      if (i == j && !(sum > 1e-9 * diagonal))
+      {
+        return false;
+      }
+      matrix[i][j] = i == j ? std::sqrt(sum) : sum / matrix[j][j];
+    }
+  }
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    for (std::size_t k = 0; k < i; ++k)
+    {
+      values[i] -= matrix[i][k] * values[k];
+    }
+    values[i] /= matrix[i][i];
+  }
+  for (std::size_t i = size; i-- > 0;)
+  {
+    for (std::size_t k = i + 1; k < size; ++k)
+    {
+      values[i] -= matrix[k][i] * values[k];
+    }
+    values[i] /= matrix[i][i];
+  }
+  return true;
+}
+
+/** Two directions across to a normal and to each other. */
+std::array<Vector, 2>
+GetAxes(const Vector & normal)
+{
+  const Vector some = std::abs(normal[0]) < 0.6 ? Vector{ { 1, 0, 0 } } : Vector{ { 0, 1, 0 } };
+  const Vector u = Normalize(MedialVoxelCross(normal, some));
+  return { { u, MedialVoxelCross(normal, u) } };
+}
+
+double
+GetQuality(const std::vector<Vector> & points, const Element & element)
+{
+  const auto at = [&](const unsigned int k) { return points[element.corners[k]]; };
+  return element.numberOfCorners == 3
+           ? MedialVoxelShellQuality(std::array<Vector, 3>{ { at(0), at(1), at(2) } })
+           : MedialVoxelShellQuality(std::array<Vector, 4>{ { at(0), at(1), at(2), at(3) } });
+}
+
+} // namespace
+
+void
+MedialVoxelWallFitting::Equations::Add(const std::array<double, 6> & means, const double height, const double weight)
+{
+  for (std::size_t i = 0; i < means.size(); ++i)
+  {
+    values[i] += weight * means[i] * height;
+    for (std::size_t k = 0; k <= i; ++k)
+    {
+      matrix[i][k] += weight * means[i] * means[k];
+    }
+  }
+  square += weight * height * height;
+  weights += weight;
+  ++number;
+}
+
+/** Of the plane (3 numbers) or the quadric (6) that fits best. */
+MedialVoxelWallFitting::Height
+MedialVoxelWallFitting::Equations::Solve(const std::size_t numbers) const
+{
+  auto left = matrix;
+  auto solution = values;
+  if (number < ElementsPerNumber * numbers || !SolveInPlace(left, solution, numbers))
+  {
+    return {};
+  }
+  double rest = square;
+  for (std::size_t i = 0; i < numbers; ++i)
+  {
+    rest -= solution[i] * values[i];
+  }
+  const auto rows = static_cast<double>(number);
+  return { true, solution[0], std::sqrt(std::max(rest, 0.0) / weights * rows / (rows - static_cast<double>(numbers))) };
+}
+
+MedialVoxelWallFitting::MedialVoxelWallFitting(const MedialVoxelRemeshedSheet & sheet, const double noise)
+  : m_Sheet(sheet)
+  , m_Noise(noise)
+  , m_ElementsOf(sheet.points.size())
+  , m_IsAround(sheet.elements.size())
+{
+  std::vector<MedialVoxelSheetTree::Triangle> triangles;
+  for (Index number = 0; number < sheet.elements.size(); ++number)
+  {
+    const Element &           element = sheet.elements[number];
+    const std::vector<Vector> corners = GetCorners(sheet.points, element);
+    Vector                    middle{};
+    Vector                    normal{};
+    for (unsigned int k = 0; k < element.numberOfCorners; ++k)
+    {
+      middle = MedialVoxelAddScaled(middle, corners[k], 1.0 / element.numberOfCorners);
+      m_ElementsOf[element.corners[k]].push_back(number);
+    }
+    for (unsigned int k = 2; k < element.numberOfCorners; ++k)
+    {
+      normal =
+        MedialVoxelAddScaled(normal, MedialVoxelTriangleNormal({ { corners[0], corners[k - 1], corners[k] } }), 1.0);
+      triangles.push_back({ { element.corners[0], element.corners[k - 1], element.corners[k] } });
+      m_ElementOf.push_back(number);
+    }
+    m_Middles.push_back(middle);
+    m_Normals.push_back(Normalize(normal));
+    m_Sums.push_back({ number, 0.0, {}, {} });
+  }
+  m_Triangles =
+    std::make_unique<MedialVoxelSheetTree>(sheet.points, triangles, std::vector<Index>(triangles.size(), 0));
+  this->FindNeighbors();
+}
+
+void
+MedialVoxelWallFitting::FindNeighbors()
+{
+  struct Side
+  {
+    Index low, high, element, place;
+  };
+  std::vector<Side> sides;
+  m_Neighbors.assign(m_Sheet.elements.size(), { { None, None, None, None } });
+  for (Index number = 0; number < m_Sheet.elements.size(); ++number)
+  {
+    const Element & element = m_Sheet.elements[number];
+    for (unsigned int k = 0; k < element.numberOfCorners; ++k)
+    {
+      const auto [low, high] = std::minmax(element.corners[k], element.corners[(k + 1) % element.numberOfCorners]);
+      sides.push_back({ low, high, number, k });
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side & a, const Side & b) {
+    return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.element < b.element;
+  });
+  const auto areSame = [](const Side & a, const Side & b) { return a.low == b.low && a.high == b.high; };
+  for (std::size_t first = 0, last = 0; first < sides.size(); first = last)
+  {
+    while (last < sides.size() && areSame(sides[first], sides[last]))
+    {
+      ++last;
+    }
+    if (last - first == 2)
+    {
+      m_Neighbors[sides[first].element][sides[first].place] = sides[first + 1].element;
+      m_Neighbors[sides[first + 1].element][sides[first + 1].place] = sides[first].element;
+    }
+  }
+}
+
+std::vector<MedialVoxelWallFitting::Sums>
+MedialVoxelWallFitting::Measure(const MedialVoxelSheet & part) const
+{
+  std::vector<Sums>  result;
+  std::vector<Index> places(m_Sums.size(), None);
+  for (const Point & point : part.points)
+  {
+    const auto nearest = m_Triangles->Find(point, 0, MostAway * m_Noise);
+    if (!(nearest.distance < MostAway * m_Noise))
+    {
+      continue;
+    }
+    const Index element = m_ElementOf[nearest.triangle];
+    if (places[element] == None)
+    {
+      places[element] = static_cast<Index>(result.size());
+      result.push_back({ element, 0.0, {}, {} });
+    }
+    Sums &      sums = result[places[element]];
+    const Point from = MedialVoxelSubtract(point, m_Middles[element]);
+    sums.number += 1.0;
+    sums.places = MedialVoxelAddScaled(sums.places, from, 1.0);
+    for (unsigned int i = 0, place = 0; i < 3; ++i)
+    {
+      for (unsigned int k = i; k < 3; ++k)
+      {
+        sums.products[place++] += from[i] * from[k];
+      }
+    }
+  }
+  return result;
+}
+
+void
+MedialVoxelWallFitting::Add(const std::vector<Sums> & sums)
+{
+  for (const Sums & some : sums)
+  {
+    Sums & all = m_Sums[some.element];
+    all.number += some.number;
+    all.places = MedialVoxelAddScaled(all.places, some.places, 1.0);
+    for (std::size_t k = 0; k < all.products.size(); ++k)
+    {
+      all.products[k] += some.products[k];
+    }
+  }
+}
+
+/** Mean side of the elements of a node. */
+double
+MedialVoxelWallFitting::GetSize(const Index node) const
+{
+  double       sum = 0.0;
+  unsigned int number = 0;
+  for (const Index element : m_ElementsOf[node])
+  {
+    const std::vector<Vector> corners = GetCorners(m_Sheet.points, m_Sheet.elements[element]);
+    for (std::size_t k = 0; k < corners.size(); ++k, ++number)
+    {
+      sum += MedialVoxelNorm(MedialVoxelSubtract(corners[(k + 1) % corners.size()], corners[k]));
+    }
+  }
+  return sum / number;
+}
+
+/** Adds elements whose middles are within a radius, over sides of two. \return whether all have nearly one normal */
+bool
+MedialVoxelWallFitting::GrowAround(const Frame & frame, const double radius)
+{
+  for (std::size_t next = 0; next < m_Around.size(); ++next)
+  {
+    if (!(std::abs(MedialVoxelDot(m_Normals[m_Around[next]], frame.normal)) > LeastCosine))
+    {
+      return false;
+    }
+    for (const Index neighbor : m_Neighbors[m_Around[next]])
+    {
+      if (neighbor != None && !m_IsAround[neighbor] &&
+          MedialVoxelNorm(MedialVoxelSubtract(m_Middles[neighbor], frame.place)) < radius)
+      {
+        m_IsAround[neighbor] = true;
+        m_Around.push_back(neighbor);
+      }
+    }
+  }
+  return true;
+}
+
+/** The means over the points of an element, in a frame at a node. */
+void
+MedialVoxelWallFitting::AddElement(const Index element, const Frame & frame, Equations & equations) const
+{
+  const Sums & sums = m_Sums[element];
+  if (!(sums.number > 0.0))
+  {
+    return;
+  }
+  const Point mean = MedialVoxelAddScaled({}, sums.places, 1.0 / sums.number);
+  const Point from = MedialVoxelAddScaled(MedialVoxelSubtract(m_Middles[element], frame.place), mean, 1.0);
+  const auto  getProduct = [&](const Vector & a, const Vector & b) {
+    double sum = 0.0;
+    for (unsigned int i = 0, k = 0; i < 3; ++i)
+    {
+      for (unsigned int j = i; j < 3; ++j, ++k)
+      {
+        sum += sums.products[k] * (i == j ? a[i] * b[i] : a[i] * b[j] + a[j] * b[i]);
+      }
+    }
+    // Sums are about the middle of the element.
+    return sum / sums.number + MedialVoxelDot(from, a) * MedialVoxelDot(from, b) -
+           MedialVoxelDot(mean, a) * MedialVoxelDot(mean, b);
+  };
+  const auto & [u, v] = frame.axes;
+  const double scale = 1.0 / frame.size;
+  equations.Add({ { 1.0,
+                    MedialVoxelDot(from, u) * scale,
+                    MedialVoxelDot(from, v) * scale,
+                    getProduct(u, u) * scale * scale,
+                    getProduct(u, v) * scale * scale,
+                    getProduct(v, v) * scale * scale } },
+                MedialVoxelDot(from, frame.normal),
+                sums.number);
+}
+
+/** Of the wall of some elements over a place. Rounds grow as long as a fit leaves no more than noise.
+ * \param isInside the place is not at the end of the wall, over which a quadric must not be carried on */
+bool
+MedialVoxelWallFitting::FindHeight(const Frame &              frame,
+                                   const std::vector<Index> & start,
+                                   const bool                 isInside,
+                                   double &                   height)
+{
+  bool        isFound = false;
+  Equations   equations;
+  std::size_t next = 0;
+  double      mostOfQuadric = MostRest * m_Noise;
+  m_Around = start;
+  for (const Index element : start)
+  {
+    m_IsAround[element] = true;
+  }
+  for (const double radius : Radii)
+  {
+    const bool isFlat = this->GrowAround(frame, radius * frame.size);
+    for (; next < m_Around.size(); ++next)
+    {
+      this->AddElement(m_Around[next], frame, equations);
+    }
+    const Height plane = equations.Solve(3);
+    const Height quadric = equations.Solve(6);
+    const bool   isPlane = quadric.rest > ShareOfPlane * plane.rest;
+    const Height best = isPlane ? plane : quadric;
+    if (!isFlat || (quadric.isSolved && best.rest > MostRest * m_Noise))
+    {
+      break;
+    }
+    if (quadric.isSolved && (isPlane || (isInside && best.rest <= mostOfQuadric)))
+    {
+      isFound = true;
+      mostOfQuadric = isPlane ? mostOfQuadric : std::max(GrowthOfRest * best.rest, LeastRest * m_Noise);
+      height = best.height;
+    }
+  }
+  for (const Index element : m_Around)
+  {
+    m_IsAround[element] = false;
+  }
+  return isFound;
+}
+
+/** Where the walls of a node have no height over it; as they agree nearly, along their normals alone. */
+MedialVoxelWallFitting::Point
+MedialVoxelWallFitting::FindPlace(const Index node)
+{
+  const Point &                        place = m_Sheet.points[node];
+  const double                         size = this->GetSize(node);
+  std::vector<Index>                   left = m_ElementsOf[node];
+  std::array<std::array<double, 3>, 3> matrix{};
+  std::array<double, 3>                values{};
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    matrix[axis][axis] = 0.02;
+  }
+  while (!left.empty())
+  {
+    // Those of the node's elements that sides of two join.
+    std::vector<Index> fan(1, left.front());
+    left.erase(left.begin());
+    for (std::size_t next = 0; next < fan.size(); ++next)
+    {
+      for (const Index neighbor : m_Neighbors[fan[next]])
+      {
+        const auto found = std::find(left.begin(), left.end(), neighbor);
+        if (neighbor != None && found != left.end())
+        {
+          fan.push_back(neighbor);
+          left.erase(found);
+        }
+      }
+    }
+    Point normal = m_Normals[fan.front()];
+    for (std::size_t k = 1; k < fan.size(); ++k)
+    {
+      const Point & other = m_Normals[fan[k]];
+      normal = MedialVoxelAddScaled(normal, other, MedialVoxelDot(other, m_Normals[fan.front()]) < 0.0 ? -1.0 : 1.0);
+    }
+    normal = Normalize(normal);
+    const bool isInside = std::all_of(fan.begin(), fan.end(), [&](const Index element) {
+      return m_Sheet.elements[element].rimSides == 0 && m_Sheet.elements[element].junctionSides == 0;
+    });
+    double     height = 0.0;
+    if (!this->FindHeight({ place, normal, GetAxes(normal), size }, fan, isInside, height))
+    {
+      continue;
+    }
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      values[i] += normal[i] * height;
+      for (unsigned int k = 0; k < 3; ++k)
+      {
+        matrix[i][k] += normal[i] * normal[k];
+      }
+    }
+  }
+  const bool   isSolved = SolveInPlace(matrix, values, 3);
+  const double length = MedialVoxelNorm(values);
+  return isSolved && length <= MostMove * m_Noise ? MedialVoxelAddScaled(place, values, 1.0) : place;
+}
+
+std::vector<MedialVoxelWallFitting::Point>
+MedialVoxelWallFitting::FindPlaces()
+{
+  std::vector<Point> places;
+  for (Index node = 0; node < m_Sheet.points.size(); ++node)
+  {
+    places.push_back(m_ElementsOf[node].empty() ? m_Sheet.points[node] : this->FindPlace(node));
+  }
+  this->TakeBack(places);
+  return places;
+}
+
+/** Leaves the nodes of elements where they were that would become bad, until there are none. */
+void
+MedialVoxelWallFitting::TakeBack(std::vector<Point> & places) const
+{
+  for (bool isDone = false; !isDone;)
+  {
+    isDone = true;
+    for (const Element & element : m_Sheet.elements)
+    {
+      const double quality = GetQuality(places, element);
+      if (quality < LeastQuality && quality < GetQuality(m_Sheet.points, element))
+      {
+        for (unsigned int k = 0; k < element.numberOfCorners; ++k)
+        {
+          places[element.corners[k]] = m_Sheet.points[element.corners[k]];
+        }
+        isDone = false;
+      }
+    }
+  }
+}
+
+} // end namespace itk
