@@ -121,9 +121,8 @@ TEST(MedialVoxelShellElements, TrianglesBecomeQuadrilaterals)
       sheet.AddQuad({ { corner, corner + 1, corner + n + 2, corner + n + 1 } });
     }
   }
-  itk::MedialVoxelFineSheet fine(sheet);
-  fine.SetSizes(1.0, false, 1.0);
-  Complex complex;
+  const itk::MedialVoxelFineSheet fine(sheet, { 1.0 });
+  Complex                         complex;
   for (const Vector3 & point : sheet.points)
   {
     complex.GetVertex(complex.AddVertex(point)).size = 1.0f;

@@ -148,7 +148,7 @@ TEST(MedialVoxelWallsLeftOut, AreMeasured)
     const std::uint32_t corner = 6 * 13 + x;
     sheet.AddQuad({ { corner, corner + 1, first + x - 2, first + x - 3 } });
   }
-  const itk::MedialVoxelFineSheet fine(sheet);
+  const itk::MedialVoxelFineSheet fine(sheet, { 2.0 });
   ASSERT_EQ(fine.GetNumberOfWalls(), 2u);
   const auto walls = itk::MedialVoxelListWallsLeftOut(sheet, fine.GetWalls(), { true, false }, 2.0);
   ASSERT_EQ(walls.size(), 1u);

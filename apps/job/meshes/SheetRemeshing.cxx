@@ -220,7 +220,7 @@ RemeshSheet(std::unique_ptr<MeshSpool>         surface,
   SheetRemeshing settings = remeshing;
   settings.threads = GetThreads(remeshing);
   settings.size.noise = NoiseOfSide * fineSide;
-  const SheetCoarsening fine(std::move(surface), settings);
+  const SheetCoarsening                    fine(std::move(surface), settings);
   std::vector<itk::MedialVoxelWallLeftOut> wallsLeftOut;
   const auto                               coarse = fine.Coarsen(wallsLeftOut);
   CheckMemory(*coarse, remeshing.memoryLimit);
