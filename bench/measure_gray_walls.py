@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: MedialVoxel contributors
 # SPDX-License-Identifier: Apache-2.0
-"""What smoothing, the survey of a scan, fits of walls and their uncertainty cost: CPU seconds of one thread.
+"""What smoothing, the survey of a scan, fits of walls, local thickness and meshes cost: CPU seconds of one thread.
 
-All ways run in turn, round after round. Phantoms become scans: blurred by a Gaussian of 0.8 voxels, with white noise of
+All ways run in turn, round after round, with --before those of an earlier build between them. Phantoms become scans: blurred by a Gaussian of 0.8 voxels, with white noise of
 10 % of the contrast. Jobs are planned with and without the survey, which tells what it costs.
 
 Prints a Markdown table and writes one JSON file.
@@ -40,11 +40,16 @@ PLAN = ("plan", "IN", "FILE-labels.mha", "FILE-job", "--divisions", "4", "--over
 ROUGH = ("--smooth", "off")
 # Name: its command; IN is the input with its options, FILE begins the names of outputs.
 WAYS = {
+    "labels alone": (*EXTRACT, *ROUGH, "--sub-voxel=off"),
     "labels": (*EXTRACT, *ROUGH),
     "smoothed": (*EXTRACT, "--smooth", "on"),
     "on the object": (*EXTRACT, *ROUGH, *MAP, "--sub-voxel=off"),
     "fits": (*EXTRACT, *ROUGH, *MAP),
     "with uncertainty": (*EXTRACT, *ROUGH, *MAP, "--uncertainty-map", "FILE-uncertainty.mha"),
+    "local thickness": (*EXTRACT, *ROUGH, "--local-thickness", "FILE-local.mha"),
+    "mesh": (*EXTRACT, *ROUGH, "--mesh", "FILE.ply"),
+    "solver mesh": ("mesh", "IN", "FILE.inp", "--overwrite", "--quiet", "--threads", "1"),
+    "surface": ("surface", "IN", "FILE.glb", "--overwrite", "--quiet", "--threads", "1"),
     "plan": (*PLAN, *ROUGH, *MAP, "--sub-voxel=off"),
     "plan with survey": (*PLAN, *ROUGH, *MAP),
 }
@@ -100,28 +105,35 @@ def describe(program, words, scratch):
 
 
 def measure(arguments, name):
-    program = common.find_program(arguments.build, "medialvoxel")
+    builds = {"cpu_seconds": arguments.build} | ({"before": arguments.before} if arguments.before else {})
+    programs = {key: common.find_program(build, "medialvoxel") for key, build in builds.items()}
     with tempfile.TemporaryDirectory(dir=arguments.scratch) as folder:
         scratch = pathlib.Path(folder)
         words = make_input(arguments, name, scratch)
         case = {"volume": name, "voxels": int(np.prod([int(n) for n in words[2].split(",")]))}
-        case |= describe(program, words, scratch)
+        case |= describe(programs["cpu_seconds"], words, scratch)
         # The uncertainty is that of fits.
         known = [way for way in arguments.ways if way != "with uncertainty" or case["measure"]["on"] == "fits"]
-        seconds = {way: [] for way in known}
+        seconds = {key: {way: [] for way in known} for key in programs}
         for number in range(arguments.rounds):
             # Each round begins with another way.
             ways = known[number % len(known) :] + known[: number % len(known)]
             for way in ways:
-                seconds[way].append(run_way(program, way, words, scratch))
-    return case | {"cpu_seconds": {way: [round(value, 3) for value in values] for way, values in seconds.items()}}
+                for key, program in programs.items():
+                    seconds[key][way].append(round(run_way(program, way, words, scratch), 3))
+    return case | seconds
+
+
+def format_seconds(case, way):
+    """Before and now, where there was a build before."""
+    return " / ".join(f"{statistics.median(case[key][way]):.2f}" for key in ("before", "cpu_seconds") if key in case)
 
 
 def format_rows(cases):
     lines = [["volume", "voxels", "medial cells", "measured on", *WAYS]]
     lines.append(["---"] * len(lines[0]))
     for case in cases:
-        seconds = {way: f"{statistics.median(values):.2f}" for way, values in case["cpu_seconds"].items()}
+        seconds = {way: format_seconds(case, way) for way in case["cpu_seconds"]}
         lines.append(
             [case["volume"], case["voxels"], case["medial_cells"], case["measure"]["on"], *(seconds.get(way, "") for way in WAYS)]
         )
@@ -131,6 +143,7 @@ def format_rows(cases):
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=pathlib.Path, help="build folder")
+    parser.add_argument("--before", type=pathlib.Path, help="build folder of an earlier revision; default: none")
     parser.add_argument("--data", type=pathlib.Path, help="folder of the real volumes; default: leave them out")
     parser.add_argument("--volumes", nargs="+", choices=[*REAL, *PHANTOMS], default=[*REAL, *PHANTOMS], help="default: all")
     parser.add_argument("--ways", nargs="+", choices=WAYS, default=list(WAYS), help="default: all")
