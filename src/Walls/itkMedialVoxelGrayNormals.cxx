@@ -27,7 +27,7 @@ constexpr std::size_t Outer = 14;
 
 /** Blocks that are kept: blocks with the same index modulo these numbers take turns. A window has at most two along
  * each axis; both sides of a wall may be 16 voxels from its cell. */
-constexpr std::int64_t Kept[3] = { 12, 8, 4 };
+constexpr std::int64_t Kept[3] = { 10, 6, 4 };
 
 /** The blocks that a voxel is in, along an axis. */
 std::int64_t
