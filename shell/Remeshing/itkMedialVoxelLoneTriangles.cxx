@@ -15,7 +15,7 @@ using Index = Element::Index;
 constexpr Index None = ~Index{ 0 };
 
 /** Of all elements that change. */
-constexpr double LeastQuality = 0.3;
+constexpr double LeastQuality = 0.4;
 
 /** Quadrilaterals that a triangle may look at. */
 constexpr std::size_t MostQuads = 128;

@@ -14,7 +14,7 @@ namespace itk
  *
  * A triangle and a quadrilateral beside it are five corners, which can be divided in five ways, each with the triangle
  * at another corner. Nothing but the sides inside these five corners changes. The nearest triangle is taken, by the
- * number of quadrilaterals between; all elements that change have a quality of 0.3 at least.
+ * number of quadrilaterals between; all elements that change have a quality of 0.4 at least.
  * \param complex has the points
  * \param elements those that were joined are taken out */
 void

@@ -43,8 +43,9 @@ constexpr double ShareOfPlane = 0.8;
 /** Elements for each number that is fitted. */
 constexpr std::size_t ElementsPerNumber = 2;
 
-/** No element becomes worse than that. */
+/** No element becomes worse than that, but those that are worse already may lose a part of it. */
 constexpr double LeastQuality = 0.4;
+constexpr double ShareOfQuality = 0.9;
 
 std::vector<Vector>
 GetCorners(const std::vector<Vector> & points, const Element & element)
@@ -484,7 +485,7 @@ MedialVoxelWallFitting::TakeBack(std::vector<Point> & places) const
     for (const Element & element : m_Sheet.elements)
     {
       const double quality = GetQuality(places, element);
-      if (quality < LeastQuality && quality < GetQuality(m_Sheet.points, element))
+      if (quality < LeastQuality && quality < ShareOfQuality * GetQuality(m_Sheet.points, element))
       {
         for (unsigned int k = 0; k < element.numberOfCorners; ++k)
         {

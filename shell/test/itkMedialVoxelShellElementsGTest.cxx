@@ -65,7 +65,7 @@ TEST(MedialVoxelLoneTriangles, MeetThroughQuadrilaterals)
     for (const Element & element : elements)
     {
       EXPECT_EQ(element.numberOfCorners, 4);
-      EXPECT_GE(itk::MedialVoxelShellQuality(complex, element), 0.3);
+      EXPECT_GE(itk::MedialVoxelShellQuality(complex, element), 0.4);
     }
     EXPECT_EQ(after.GetEulerNumber(), 1);
     EXPECT_NEAR(after.GetArea(), before.GetArea(), 1e-12);
@@ -142,7 +142,7 @@ TEST(MedialVoxelShellElements, TrianglesBecomeQuadrilaterals)
   EXPECT_NEAR(faces.GetArea(), n * n, 1e-9);
   for (const Element & element : elements)
   {
-    EXPECT_GE(itk::MedialVoxelShellQuality(complex, element), element.numberOfCorners == 4 ? 0.3 : 0.2);
+    EXPECT_GE(itk::MedialVoxelShellQuality(complex, element), element.numberOfCorners == 4 ? 0.4 : 0.2);
   }
   for (std::uint32_t point = 0; point < sheet.points.size(); ++point)
   {
