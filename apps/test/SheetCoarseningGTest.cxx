@@ -125,6 +125,7 @@ TEST(SheetCoarsening, PartsMakeOneSurfaceWithFewerFaces)
   std::vector<itk::MedialVoxelWallLeftOut> wallsLeftOut;
   const auto                               coarse = coarsening.Coarsen(wallsLeftOut);
   const Content                            content(*coarse);
+  EXPECT_TRUE(wallsLeftOut.empty());
   EXPECT_LT(content.faces.size(), 80000u);
   EXPECT_NEAR(content.GetArea(), 160000.0, 4.0); // corners are cut by parts of triangles
   std::size_t rims = 0;
@@ -172,6 +173,34 @@ TEST(SheetRemeshing, ThreadsDoNotChangeTheMesh)
       ASSERT_EQ(last.faces[k].vertices, first.faces[k].vertices);
     }
   }
+}
+
+TEST(SheetRemeshing, AWallThatIsSmallerThanAnElementIsListedOnce)
+{
+  auto                       surface = MakeLargeStrip();
+  const std::uint64_t        first = surface->GetNumberOfVertices();
+  std::vector<MeshVertex>    corners;
+  const std::array<float, 2> ends{ { 0.0F, 0.25F } };
+  for (const float y : ends)
+  {
+    for (const float x : ends)
+    {
+      corners.push_back({ { { 100.0 + x, 90.0 + y, 50.0 } }, 2.0, 0 });
+    }
+  }
+  surface->AddVertices(corners);
+  surface->AddFaces({ MakeFace({ static_cast<std::uint32_t>(first),
+                                 static_cast<std::uint32_t>(first + 1),
+                                 static_cast<std::uint32_t>(first + 3),
+                                 static_cast<std::uint32_t>(first + 2) }) });
+  itk::MedialVoxelRemeshingSummary summary;
+  RemeshSheet(std::move(surface), MakeRemeshing(2), summary);
+  EXPECT_EQ(summary.walls, 2u);
+  ASSERT_EQ(summary.wallsLeftOut.size(), 1u);
+  // Coarse triangles may have cut its corners.
+  EXPECT_GE(summary.wallsLeftOut[0].area, 0.03);
+  EXPECT_LE(summary.wallsLeftOut[0].area, 0.0625);
+  EXPECT_NEAR(summary.wallsLeftOut[0].place[2], 50.0, 1e-6);
 }
 
 TEST(SheetRemeshing, StopsWhenProgressThrows)
