@@ -60,7 +60,7 @@ AddMesh(std::vector<OptionRow> & rows)
     .Python(Mesh);
   AddRow(rows, "--min-component-size", "N", Count(&ExtractOptions::minimumComponentSize, 0))
     .Of(Sheets, "Mesh")
-    .HiddenIn(Plan)
+    .HiddenIn(Extractions)
     .Formerly("--smallest-component")
     .Help("Leave out components of fewer faces of a voxel",
           std::string("Default 100 for elements of a size in ") + SolverExtensions +
@@ -119,8 +119,8 @@ AddElements(std::vector<OptionRow> & rows)
     .Needs("a mesh that is written as " + solvers, HasElements);
   AddRow(rows, "--extend-rims", "", Flag(&ExtractOptions::extendsRims))
     .Of(Sheets, "Mesh")
-    .HiddenIn(Plan)
-    .Help("Carry the sheet on to the free edges of the part; =off: not",
+    .HiddenIn(Extractions)
+    .Help("Carry the sheet on to free edges; =off: not",
           "The sheet ends half the thickness of its wall before each free edge of the part. It is carried on in its "
           "plane to the surface, at most for the thickness; with --labels for half the thickness. Default: on for "
           "elements of a size in " +
