@@ -195,7 +195,7 @@ MedialVoxelPowerOfTwo(const MedialVoxelIntegerLanes & exponents)
   const MedialVoxelIntegerLanes bits = (exponents + 127) << 23;
   MedialVoxelLanes              powers;
   static_assert(sizeof(powers) == sizeof(bits));
-  std::memcpy(&powers, &bits, sizeof(powers));
+  std::memcpy(static_cast<void *>(&powers), &bits, sizeof(powers));
   return powers;
 }
 
@@ -203,14 +203,8 @@ MEDIALVOXEL_INLINE MedialVoxelLanes
 MedialVoxelLoad(const float * const from)
 {
   MedialVoxelLanes lanes;
-  std::memcpy(&lanes, from, sizeof(lanes));
+  std::memcpy(static_cast<void *>(&lanes), from, sizeof(lanes));
   return lanes;
-}
-
-MEDIALVOXEL_INLINE void
-MedialVoxelStore(const MedialVoxelLanes & lanes, float * const to)
-{
-  std::memcpy(to, &lanes, sizeof(lanes));
 }
 
 /** In a fixed order. */

@@ -48,6 +48,7 @@ Evaluate(const Lanes & x, NormalDistribution & values)
   values.cumulative = MedialVoxelSelect(x < 0.0F, tail, 1.0F - tail);
 }
 
+/** The parts of MedialVoxelFitSums::Wall, but for bendTT, which is a quarter of bendCC. */
 MEDIALVOXEL_FOR_PROCESSORS void
 SumOfWall(const Arrays &          arrays,
           const float             center,
@@ -100,6 +101,7 @@ SumOfWall(const Arrays &          arrays,
   sums = { { tt, tc, cc, rt, rc, bendTC, bendCC, squaredTT, squaredTC, squaredCC } };
 }
 
+/** The parts of MedialVoxelFitSums::Surface. */
 MEDIALVOXEL_FOR_PROCESSORS void
 SumOfSurface(const Arrays & arrays, const float place, const float inverseBlur, std::array<Lanes, 4> & sums)
 {
@@ -124,6 +126,7 @@ SumOfSurface(const Arrays & arrays, const float place, const float inverseBlur, 
   sums = { { pp, rp, bend, squared } };
 }
 
+/** The parts of MedialVoxelFitSums::Misfit. */
 MEDIALVOXEL_FOR_PROCESSORS void
 SumOfMisfit(const Arrays &         arrays,
             const float            center,
@@ -170,6 +173,7 @@ MedialVoxelFitSums::MedialVoxelFitSums(const MedialVoxelGrayLocal::Samples & sam
     m_Samples[2 * room + number] = samples.GetValues()[i];
     number += std::abs(along - middle) <= limit ? 1 : 0;
   }
+  // The last lanes are filled with samples that do not count.
   for (; number % MedialVoxelNumberOfLanes != 0; ++number)
   {
     m_Samples[number] = middle;
