@@ -35,6 +35,7 @@ constexpr Time Never = INT64_MAX;
 constexpr Time PeriodOfSamples = 1'000'000;
 constexpr int  SignalOfSamples = 40;
 constexpr int  MostFrames = 40;
+constexpr int  MostSamples = 1 << 16;
 
 enum class State : std::uint8_t
 {
@@ -103,7 +104,7 @@ thread_local Thread * self __attribute__((tls_model("initial-exec"))) = nullptr;
 pthread_key_t         endOfThread;
 timespec              startOfDay{};
 timespec              startOfClock{};
-Sample                samples[1 << 16];
+Sample                samples[MostSamples];
 std::atomic<int>      numberOfSamples{ 0 };
 
 /** In the order in which they began; kept until the process is gone. */
@@ -266,20 +267,23 @@ Wake(const volatile void * const what, const int most)
   return number;
 }
 
+/** What it calls does not wait for a turn. */
 void
 TakeSample(int, siginfo_t *, void *)
 {
-  const int  error = errno;
-  const Time begin = GetProcessorTime();
-  const int  number = self != nullptr ? numberOfSamples++ : 1 << 16;
-  if (number < 1 << 16)
+  const int      error = errno;
+  const Time     begin = GetProcessorTime();
+  Thread * const thread = std::exchange(self, nullptr);
+  const int      number = thread != nullptr ? numberOfSamples++ : MostSamples;
+  if (number < MostSamples)
   {
     Sample & sample = samples[number];
-    sample.thread = self->number;
-    sample.clock = self->clock + (begin - self->counted - self->ofSamples);
+    sample.thread = thread->number;
+    sample.clock = thread->clock + (begin - thread->counted - thread->ofSamples);
     sample.frames = backtrace(sample.addresses, MostFrames);
-    self->ofSamples += GetProcessorTime() - begin;
+    thread->ofSamples += GetProcessorTime() - begin;
   }
+  self = thread;
   errno = error;
 }
 
@@ -411,7 +415,7 @@ Write(std::FILE * const file)
     }
   }
   std::fputs("]], \"samples\": [", file);
-  for (int i = 0; i < numberOfSamples && i < 1 << 16; ++i)
+  for (int i = 0; i < numberOfSamples && i < MostSamples; ++i)
   {
     const Sample & sample = samples[i];
     std::fprintf(file, "%s[%d, %lld", i == 0 ? "" : ", ", sample.thread, static_cast<long long>(sample.clock));

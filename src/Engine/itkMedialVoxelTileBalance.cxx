@@ -25,7 +25,7 @@ constexpr double ShareOfLeadingTile = 0.125;
 constexpr double TrailingTime = 2.0;
 
 /** From so many workers on, tiles are split: parts repeat work of the halo, and fewer workers lose time by that. */
-constexpr unsigned int ManyWorkers = 32;
+constexpr unsigned int ManyWorkers = 8;
 
 /** Parts of tiles have no fewer rows and slices; they keep their columns, whose words belong together. */
 constexpr MedialVoxelIndex SmallestPart{ { 0, 16, 4 } };
@@ -132,8 +132,7 @@ MedialVoxelTileBalance::Balance(const std::vector<MedialVoxelBox> & tiles, const
   Order(timed, workers);
   double                      rest = SumOf(timed);
   const double                most = slab.numberOfWorkers < ManyWorkers ? 1.0 : workers;
-  const double                wanted = slab.wasDeferred ? TilesPerWorker * workers : workers;
-  const double                least = wanted / static_cast<double>(tiles.size());
+  const double                least = TilesPerWorker * workers / static_cast<double>(tiles.size());
   std::vector<MedialVoxelBox> balanced;
   for (const TimedTile & tile : timed)
   {

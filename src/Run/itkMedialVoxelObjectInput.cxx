@@ -235,7 +235,7 @@ MedialVoxelObjectInput::SurveyScan(const MedialVoxelGrid &                      
                                    const Observer &                             observer)
 {
   // With these, the survey stays below the smallest memory limit.
-  constexpr unsigned int mostThreads = 3;
+  constexpr unsigned int mostThreads = 10;
   if (std::isfinite(lower) == std::isfinite(upper))
   {
     return { {}, "there are two thresholds" };

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <numeric>
 
 namespace itk
 {
@@ -31,6 +32,9 @@ constexpr std::int64_t BlockSize[3] = { 256, 256, 16 };
 /** Blocks that are looked at, until the samples are enough. */
 constexpr std::size_t MostBlocks = 480;
 constexpr std::size_t BlocksPerRound = 24;
+
+/** Rows of a slice of a block that one thread looks at. */
+constexpr std::int64_t RowsOfPart = 32;
 
 /** Voxels around an object voxel in which there is background of it, without and with the blur of the object. */
 constexpr std::int64_t FarFromObject = 3;
@@ -107,13 +111,14 @@ public:
     , m_Gray(gray)
   {}
 
+  /** Of a part of whole rows of a block. */
   void
-  Take(const Box & block, const std::uint64_t seed, Samples & samples)
+  Take(const Box & part, const Box & block, const std::uint64_t seed, Samples & samples)
   {
-    Index voxel;
-    for (voxel[2] = block.lower[2]; voxel[2] < block.upper[2]; ++voxel[2])
+    Index voxel = part.lower;
+    for (voxel[2] = part.lower[2]; voxel[2] < part.upper[2]; ++voxel[2])
     {
-      for (voxel[1] = block.lower[1]; voxel[1] < block.upper[1]; ++voxel[1])
+      for (voxel[1] = part.lower[1]; voxel[1] < part.upper[1]; ++voxel[1])
       {
         m_Checker.Count(StepsOfRow);
         this->TakeRow(voxel, block, seed, samples);
@@ -389,6 +394,35 @@ private:
   MedialVoxelAbortChecker       m_Checker;
 };
 
+/** The block that a voxel is in. */
+Box
+GetBlock(const Index & voxel)
+{
+  Box block;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    block.lower[axis] = voxel[axis] / BlockSize[axis] * BlockSize[axis];
+    block.upper[axis] = block.lower[axis] + BlockSize[axis];
+  }
+  return block;
+}
+
+/** More parts than threads, so that none waits long for the last one of another. */
+std::vector<Box>
+CutBlocks(const std::vector<Box> & blocks)
+{
+  std::vector<Box> parts;
+  for (const Box & block : blocks)
+  {
+    for (Box part = block; part.lower[1] < block.upper[1]; part.lower[1] = part.upper[1])
+    {
+      part.upper[1] = std::min(part.lower[1] + RowsOfPart, block.upper[1]);
+      parts.push_back(part);
+    }
+  }
+  return parts;
+}
+
 /** All of a small image, otherwise some, in the order of their hashes. */
 std::vector<Box>
 ChooseBlocks(const Box & image)
@@ -406,8 +440,7 @@ ChooseBlocks(const Box & image)
     {
       for (std::int64_t x = 0; x < blocks[0]; ++x)
       {
-        const Index lower{ { x * BlockSize[0], y * BlockSize[1], z * BlockSize[2] } };
-        const Box   block{ lower, { { lower[0] + BlockSize[0], lower[1] + BlockSize[1], lower[2] + BlockSize[2] } } };
+        const Box block = GetBlock({ { x * BlockSize[0], y * BlockSize[1], z * BlockSize[2] } });
         chosen.Add(MedialVoxelHash(number++), block.Intersection(image));
       }
     }
@@ -458,10 +491,14 @@ MedialVoxelScanSurvey::Run(const Source & source) const -> Result
   const std::vector<Neighbor> neighbors = ListNeighbors(m_Grid);
   Samples                     samples;
   std::mutex                  mutex;
-  std::size_t                 done = 0;
+  double                      done = 0.0;
+  const double                all = std::accumulate(blocks.begin(), blocks.end(), 0.0, [](double sum, const Box & block) {
+    return sum + static_cast<double>(block.NumberOfVoxels());
+  });
   source.observe(0.0);
-  const auto take = [&](const Box & block) {
-    const Box       box = block.Expanded({ { Margin, Margin, Margin } }).Intersection(image);
+  const auto take = [&](const Box & part) {
+    const Box       block = GetBlock(part.lower).Intersection(image);
+    const Box       box = part.Expanded({ { Margin, Margin, Margin } }).Intersection(image);
     MedialVoxelBits object;
     MedialVoxelGray gray;
     object.Reshape(box);
@@ -475,17 +512,18 @@ MedialVoxelScanSurvey::Run(const Source & source) const -> Result
         ofBlock.LimitTo(samples);
       }
       BlockLook(m_Grid, neighbors, object, gray)
-        .Take(block, MedialVoxelHash(static_cast<std::uint64_t>(image.OffsetOf(block.lower))), ofBlock);
+        .Take(part, block, MedialVoxelHash(static_cast<std::uint64_t>(image.OffsetOf(block.lower))), ofBlock);
       const std::lock_guard<std::mutex> lock(mutex);
       samples.Add(std::move(ofBlock));
     }
     const std::lock_guard<std::mutex> lock(mutex);
-    source.observe(static_cast<double>(++done) / static_cast<double>(blocks.size()));
+    done += static_cast<double>(part.NumberOfVoxels());
+    source.observe(done / all);
   };
   for (std::size_t begin = 0; begin < blocks.size() && !samples.AreEnough(); begin += BlocksPerRound)
   {
     const std::size_t end = std::min(begin + BlocksPerRound, blocks.size());
-    source.forEach(Boxes(blocks.data() + begin, blocks.data() + end), take);
+    source.forEach(CutBlocks(Boxes(blocks.data() + begin, blocks.data() + end)), take);
   }
   return MedialVoxelSummarizeScan(samples, m_Grid.GetNumberOfActiveAxes(), m_Threshold, m_Levels);
 }

@@ -8,7 +8,7 @@
 #include "itkMultiThreaderBase.h"
 
 #include <algorithm>
-#include <atomic>
+#include <cstddef>
 #include <exception>
 #include <functional>
 #include <mutex>
@@ -36,33 +36,37 @@ public:
   {
     std::exception_ptr error;
     std::mutex         mutex;
-    std::atomic<bool>  hasFailed{ false };
-    const auto         trySpan = [&](itk::SizeValueType i) {
-      if (hasFailed)
+    std::size_t        taken = 0;
+    // Each thread takes a part when it is free: some take much longer than others.
+    const auto takeParts = [&](itk::SizeValueType) {
+      for (;;)
       {
-        return;
-      }
-      try
-      {
-        work(parts[i]);
-      }
-      catch (...)
-      {
-        const std::lock_guard<std::mutex> lock(mutex);
-        error = std::current_exception();
-        hasFailed = true;
+        std::unique_lock<std::mutex> lock(mutex);
+        if (error || taken == parts.size())
+        {
+          return;
+        }
+        const itk::MedialVoxelBox & part = parts[taken++];
+        lock.unlock();
+        try
+        {
+          work(part);
+        }
+        catch (...)
+        {
+          lock.lock();
+          error = std::current_exception();
+        }
       }
     };
     if (isParallel)
     {
-      m_Threader->ParallelizeArray(0, parts.size(), trySpan, nullptr);
+      m_Threader->ParallelizeArray(
+        0, std::min<std::size_t>(parts.size(), m_Threader->GetNumberOfWorkUnits()), takeParts, nullptr);
     }
     else
     {
-      for (std::size_t i = 0; i < parts.size(); ++i)
-      {
-        trySpan(i);
-      }
+      takeParts(0);
     }
     if (error)
     {
