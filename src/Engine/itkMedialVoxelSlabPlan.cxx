@@ -6,6 +6,7 @@
 #include "itkMedialVoxelDistanceTransform.h"
 #include "itkMedialVoxelLengthTask.h"
 #include "itkMedialVoxelMemoryShortage.h"
+#include "itkMedialVoxelTileBalance.h"
 
 #include <algorithm>
 #include <utility>
@@ -269,8 +270,13 @@ MedialVoxelSlabPlan::CountWorkers(const MedialVoxelBox & region, const MedialVox
   {
     return 1;
   }
-  const MedialVoxelIndex tileSize = this->ChooseCut(region, halo).tileSize;
-  std::int64_t           tiles = 1;
+  // Many workers split tiles.
+  MedialVoxelIndex tileSize = this->ChooseCut(region, halo).tileSize;
+  for (unsigned int axis = 1; axis < 3 && m_Settings.numberOfWorkers >= MedialVoxelTileBalance::ManyWorkers; ++axis)
+  {
+    tileSize[axis] = std::min(tileSize[axis], SmallestTileEdge);
+  }
+  std::int64_t tiles = 1;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     tiles *= (region.upper[axis] - 1) / tileSize[axis] - region.lower[axis] / tileSize[axis] + 1;

@@ -24,9 +24,6 @@ constexpr double ShareOfLeadingTile = 0.125;
 /** For each worker, the time of short tiles at the end, as a multiple of the longest tile before them. */
 constexpr double TrailingTime = 2.0;
 
-/** From so many workers on, tiles are split: parts repeat work of the halo, and fewer workers lose time by that. */
-constexpr unsigned int ManyWorkers = 8;
-
 /** Parts of tiles have no fewer rows and slices; they keep their columns, whose words belong together. */
 constexpr MedialVoxelIndex SmallestPart{ { 0, 16, 4 } };
 

@@ -24,6 +24,9 @@ namespace itk
 class MedialVoxel_EXPORT MedialVoxelTileBalance
 {
 public:
+  /** From so many workers on, tiles are split: parts repeat work of the halo, and fewer workers lose time by that. */
+  static constexpr unsigned int ManyWorkers = 8;
+
   /** A slab, without its tiles. */
   struct Slab
   {

@@ -20,7 +20,9 @@ namespace
 
 constexpr double TowardsNeighbors = 0.6;
 
-constexpr std::uint32_t CellsHandedOnAtATime = 1u << 13;
+/** Vertices of a part that is handed on, and such parts that are made together. */
+constexpr std::uint32_t VerticesOfPart = 1u << 13;
+constexpr std::size_t   PartsAtATime = MedialVoxelSurfaceBuilder::VerticesOfBatch / VerticesOfPart;
 
 /** Vertices of a slice up to which its memory is kept for the next one. */
 constexpr std::size_t MostSpareVertices = std::size_t{ 1 } << 16;
@@ -111,6 +113,7 @@ MedialVoxelSurfaceBuilder::Finish()
   {
     this->Push({});
   }
+  this->DoBatch();
   m_Slices.clear();
 }
 
@@ -195,79 +198,122 @@ MedialVoxelSurfaceBuilder::FindNeighborsToFollow(Slice & slice)
   }
 }
 
-auto
-MedialVoxelSurfaceBuilder::AddEmptySlice() -> Slice &
-{
-  m_Slices.push_back(std::exchange(m_Spare, {}));
-  Slice & slice = m_Slices.back();
-  slice.secondNeighbors.clear();
-  slice.offsets.clear();
-  slice.points.clear();
-  return slice;
-}
-
-/** Make the newest slice of cells, and join it with the one before, which then has all of its neighbors. */
-void
-MedialVoxelSurfaceBuilder::Append(std::vector<MedialVoxelSurfaceCell> cells)
-{
-  Slice & slice = this->AddEmptySlice();
-  slice.firstVertex = m_NumberOfVertices;
-  m_NumberOfVertices += cells.size();
-  ++m_NextSlice;
-  slice.neighbors.resize(cells.size());
-  slice.offsets.reserve(cells.size());
-  for (const MedialVoxelSurfaceCell & cell : cells)
-  {
-    slice.offsets.push_back(cell.offset);
-  }
-  slice.previous.resize(cells.size());
-  slice.cells = std::move(cells);
-  for (unsigned int direction = 0; direction < 4; ++direction)
-  {
-    Link(slice, slice.cells, direction);
-  }
-  if (m_Slices.size() > 1)
-  {
-    Slice & before = m_Slices[m_Slices.size() - 2];
-    Link(slice, before.cells, 4);
-    Link(before, slice.cells, 5);
-    FindNeighborsToFollow(before);
-  }
-}
-
-/** Append a slice, and move each of the ones before it one step on. */
+/** Make the newest slice of cells. */
 void
 MedialVoxelSurfaceBuilder::Push(std::vector<MedialVoxelSurfaceCell> cells)
 {
-  this->Append(std::move(cells));
-  const std::size_t newest = m_Slices.size() - 1;
-  for (std::size_t step = 1; step <= std::min<std::size_t>(newest, NumberOfSteps); ++step)
+  if (m_WaitingVertices + cells.size() > VerticesOfBatch)
   {
-    this->Smooth(newest - step);
+    this->DoBatch();
   }
-  if (newest >= NumberOfSteps)
+  m_Slices.emplace_back();
+  if (!m_Spare.empty())
   {
-    this->HandOn(newest - NumberOfSteps);
+    m_Slices.back() = std::move(m_Spare.back());
+    m_Spare.pop_back();
   }
+  Slice & slice = m_Slices.back();
+  slice.firstVertex = m_NumberOfVertices;
+  slice.cells = std::move(cells);
+  m_NumberOfVertices += slice.cells.size();
+  m_WaitingVertices += slice.cells.size();
+  ++m_NumberOfWaiting;
+  ++m_NextSlice;
+}
+
+/** Join the slices that wait, and move each slice on by the steps that they allow. */
+void
+MedialVoxelSurfaceBuilder::DoBatch()
+{
+  const Range newSlices{ m_Slices.size() - m_NumberOfWaiting, m_Slices.size() };
+  const auto  before = [&](const std::size_t number) {
+    return Range{ newSlices.begin - std::min(newSlices.begin, number), newSlices.end - std::min(newSlices.end, number) };
+  };
+  this->ForEachSlice({ before(1).begin, newSlices.end }, [&](const std::size_t at) { this->Join(at, newSlices); });
+  for (unsigned int step = 1; step <= NumberOfSteps; ++step)
+  {
+    const Range slices = before(step);
+    this->ForEachSlice(slices, [&](const std::size_t at) { this->Smooth(at, slices); });
+    std::for_each(m_Slices.begin() + static_cast<std::ptrdiff_t>(slices.begin),
+                  m_Slices.begin() + static_cast<std::ptrdiff_t>(slices.end),
+                  [](Slice & slice) { std::swap(slice.offsets, slice.previous); });
+  }
+  const Range done = before(NumberOfSteps);
+  this->ForEachSlice(done, [&](const std::size_t at) { this->PlacePoints(at); });
+  this->HandOn(done);
   // Quadrilaterals of a slice and its last step need the slice before it.
-  if (newest > NumberOfSteps)
+  for (std::size_t number = 1; number < done.end; ++number)
   {
     if (m_Slices.front().cells.size() <= MostSpareVertices)
     {
-      m_Spare = std::move(m_Slices.front());
+      m_Spare.push_back(std::move(m_Slices.front()));
     }
     m_Slices.pop_front();
   }
+  m_NumberOfWaiting = 0;
+  m_WaitingVertices = 0;
 }
 
-/** Move the vertices of a slice one step on. The slice after it is one step behind the result, that before it is as
- * far as the result. */
+template <typename TTask>
 void
-MedialVoxelSurfaceBuilder::Smooth(const std::size_t at)
+MedialVoxelSurfaceBuilder::ForEachSlice(const Range & slices, TTask && task)
+{
+  if (slices.begin < slices.end)
+  {
+    m_RunTasks(slices.end - slices.begin, [&](const std::size_t number) { task(slices.begin + number); });
+  }
+}
+
+void
+MedialVoxelSurfaceBuilder::RunHere(const std::size_t count, const std::function<void(std::size_t number)> & task)
+{
+  for (std::size_t number = 0; number < count; ++number)
+  {
+    task(number);
+  }
+}
+
+/** Find neighbors in a new slice and the one before it, and those in the slice after it, which is new. */
+void
+MedialVoxelSurfaceBuilder::Join(const std::size_t at, const Range & newSlices)
+{
+  Slice & slice = m_Slices[at];
+  if (newSlices.Contains(at))
+  {
+    slice.secondNeighbors.clear();
+    slice.points.clear();
+    slice.neighbors.resize(slice.cells.size());
+    slice.previous.resize(slice.cells.size());
+    slice.offsets.resize(slice.cells.size());
+    std::transform(slice.cells.begin(), slice.cells.end(), slice.offsets.begin(), [](const MedialVoxelSurfaceCell & cell) {
+      return cell.offset;
+    });
+    for (unsigned int direction = 0; direction < 4; ++direction)
+    {
+      Link(slice, slice.cells, direction);
+    }
+    if (at > 0)
+    {
+      Link(slice, m_Slices[at - 1].cells, 4);
+    }
+  }
+  if (newSlices.Contains(at + 1))
+  {
+    Link(slice, m_Slices[at + 1].cells, 5);
+    FindNeighborsToFollow(slice);
+  }
+}
+
+/** Move the vertices of a slice one step on, to its previous places. The slice after it is one step behind the result; the
+ * one before it takes the step, too, or has taken it. */
+void
+MedialVoxelSurfaceBuilder::Smooth(const std::size_t at, const Range & slicesOfStep)
 {
   Slice &         slice = m_Slices[at];
   const Offsets & own = slice.offsets;
-  const Offsets & before = at > 0 ? m_Slices[at - 1].previous : own;
+  const Offsets & before = at == 0                             ? own
+                           : slicesOfStep.Contains(at - 1) ? m_Slices[at - 1].offsets
+                                                           : m_Slices[at - 1].previous;
   const Offsets & after = m_Slices[at + 1].offsets;
   const Offsets * offsetsOf[NumberOfDirections] = { &own, &own, &own, &own, &before, &after };
   // Adding nothing along the other axes is faster than choosing one.
@@ -313,54 +359,85 @@ MedialVoxelSurfaceBuilder::Smooth(const std::size_t at)
       slice.previous[i][component] = static_cast<float>(offset[component] + toPlane * normal[component]);
     }
   }
-  std::swap(slice.offsets, slice.previous);
 }
 
 void
-MedialVoxelSurfaceBuilder::HandOn(const std::size_t at)
+MedialVoxelSurfaceBuilder::PlacePoints(const std::size_t at)
 {
-  Slice &      slice = m_Slices[at];
-  const auto & cells = slice.cells;
-  const auto   numberOfCells = static_cast<std::uint32_t>(cells.size());
-  slice.points.reserve(numberOfCells);
-  // A slice along a wall has many cells, whose results need not be in memory at the same time.
-  for (std::uint32_t begin = 0; begin < numberOfCells;)
+  Slice & slice = m_Slices[at];
+  slice.points.resize(slice.cells.size());
+  for (std::uint32_t i = 0; i < slice.cells.size(); ++i)
+  {
+    slice.points[i] = this->PointOf(slice, i);
+  }
+}
+
+/** A slice along a wall has many cells, whose results need not be in memory at the same time. */
+void
+MedialVoxelSurfaceBuilder::HandOn(const Range & slices)
+{
+  std::vector<Part> parts;
+  for (std::size_t at = slices.begin; at < slices.end; ++at)
+  {
+    const auto & cells = m_Slices[at].cells;
+    const auto   number = static_cast<std::uint32_t>(cells.size());
+    for (std::uint32_t begin = 0, end = 0; begin < number; begin = end)
+    {
+      end = std::min(begin + VerticesOfPart, number);
+      while (end < number && KeyOf(cells[end]) == KeyOf(cells[end - 1]))
+      {
+        ++end;
+      }
+      parts.push_back({ at, begin, end });
+      if (parts.size() == PartsAtATime)
+      {
+        this->HandOn(parts);
+      }
+    }
+  }
+  this->HandOn(parts);
+}
+
+void
+MedialVoxelSurfaceBuilder::HandOn(std::vector<Part> & parts)
+{
+  m_RunTasks(parts.size(), [&](const std::size_t number) { this->Make(parts[number]); });
+  for (const Part & part : parts)
   {
     MedialVoxelCheckAbort();
-    m_Vertices.clear();
-    m_Quads.clear();
-    while (begin < numberOfCells && m_Vertices.size() < CellsHandedOnAtATime)
+    m_Consumer.AddVertices(part.vertices);
+    m_Consumer.AddQuads(part.quads);
+  }
+  parts.clear();
+}
+
+/** The faces of the vertices of a cell follow each other by axes. */
+void
+MedialVoxelSurfaceBuilder::Make(Part & part) const
+{
+  const Slice & slice = m_Slices[part.slice];
+  const auto &  cells = slice.cells;
+  part.vertices.reserve(part.end - part.begin);
+  part.quads.reserve(part.end - part.begin);
+  for (std::uint32_t begin = part.begin, end = begin; begin < part.end; begin = end)
+  {
+    unsigned int quads = 0;
+    for (; end < part.end && KeyOf(cells[end]) == KeyOf(cells[begin]); ++end)
     {
-      // The vertices of a cell, whose faces follow each other by axes.
-      std::uint32_t end = begin;
-      unsigned int  quads = 0;
-      for (; end < numberOfCells && KeyOf(cells[end]) == KeyOf(cells[begin]); ++end)
+      part.vertices.push_back({ slice.points[end], static_cast<double>(cells[end].thickness), cells[end].part });
+      quads |= cells[end].quads;
+    }
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      const unsigned int edge = Topology::EdgeOf(axis, 0, 0);
+      for (std::uint32_t cell = begin; (quads >> edge & 1) != 0 && cell < end; ++cell)
       {
-        slice.points.push_back(this->PointOf(slice, end));
-        m_Vertices.push_back({ slice.points.back(), static_cast<double>(cells[end].thickness), cells[end].part });
-        quads |= cells[end].quads;
-      }
-      for (unsigned int axis = 0; axis < 3; ++axis)
-      {
-        const unsigned int edge = Topology::EdgeOf(axis, 0, 0);
-        for (std::uint32_t cell = begin; (quads >> edge & 1) != 0 && cell < end; ++cell)
+        if ((cells[cell].quads >> edge & 1) != 0)
         {
-          if ((cells[cell].quads >> edge & 1) != 0)
-          {
-            m_Quads.push_back(this->MakeQuad(at, cell, axis));
-          }
+          part.quads.push_back(this->MakeQuad(part.slice, cell, axis));
         }
       }
-      begin = end;
     }
-    m_Consumer.AddVertices(m_Vertices);
-    m_Consumer.AddQuads(m_Quads);
-  }
-  // The next slice needs the step before, and the points.
-  if (numberOfCells > MostSpareVertices)
-  {
-    Offsets().swap(slice.offsets);
-    decltype(slice.followed)().swap(slice.followed);
   }
 }
 

@@ -7,9 +7,12 @@
 #include "itkMedialVoxelSurfaceConsumer.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace itk
@@ -21,14 +24,21 @@ namespace itk
  * Vertices are numbered in the order of their cells (z, y, x) and of their lowest edges, quadrilaterals follow in the
  * order of the lower voxels of their edges and of the axes. In each of five steps a vertex moves 0.6 of the distance to
  * the mean of MedialVoxelSurfaceTopology::NeighborsToFollow(), then 0.15 of the distance to the plane midway between
- * its walls, or by the weight that is set. A step at a slice needs the step before at the two slices beside it, so a
- * dozen slices are in memory, and the division into pieces has no influence.
+ * its walls, or by the weight that is set. A step at a slice needs the step before at the two slices beside it, so half a
+ * dozen slices are in memory beside those of a batch, and neither batches nor the division into pieces have an influence.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelSurfaceBuilder
 {
 public:
   static constexpr unsigned int NumberOfSteps = 5;
+
+  /** Vertices of slices that are done together, unless a single one has more; and their memory beside the cells. */
+  static constexpr std::size_t VerticesOfBatch = std::size_t{ 1 } << 17;
+  static constexpr std::size_t BytesOfBatch = VerticesOfBatch * 192;
+
+  /** Calls task(number) for the numbers below the count, in any threads. */
+  using RunTasks = std::function<void(std::size_t count, const std::function<void(std::size_t number)> & task)>;
 
   /** The number of 32 bits that is nearest to a coordinate. */
   static double
@@ -53,6 +63,18 @@ public:
   SetWeightOfPlane(const double weight)
   {
     m_WeightOfPlane = weight;
+  }
+
+  /** Do the slices of a batch in threads, before the first slice. Default in the calling thread. */
+  void
+  RunTasksWith(RunTasks run)
+  {
+    m_RunTasks = std::move(run);
+  }
+  const RunTasks &
+  GetRunTasks() const
+  {
+    return m_RunTasks;
   }
 
   /** Take all vertices in cells of slice \a z, in order; slices come in order, and skipped slices have none. */
@@ -89,6 +111,29 @@ private:
     std::uint64_t                                              firstVertex{ 0 };
   };
 
+  /** Cells of a slice that are handed on together, with their vertices and quadrilaterals. */
+  struct Part
+  {
+    std::size_t                           slice;
+    std::uint32_t                         begin;
+    std::uint32_t                         end;
+    std::vector<MedialVoxelSurfaceVertex> vertices{};
+    std::vector<MedialVoxelSurfaceQuad>   quads{};
+  };
+
+  /** Slices by their place, and whether they take a step together. */
+  struct Range
+  {
+    std::size_t begin;
+    std::size_t end;
+
+    bool
+    Contains(const std::size_t at) const
+    {
+      return at >= begin && at < end;
+    }
+  };
+
   /** A vertex of a quadrilateral. */
   struct Corner
   {
@@ -115,6 +160,9 @@ private:
   }
 
   static void
+  RunHere(std::size_t count, const std::function<void(std::size_t number)> & task);
+
+  static void
   Link(Slice & from, const std::vector<MedialVoxelSurfaceCell> & to, unsigned int direction);
 
   /** The vertex that one is joined to through the face in a direction by the quadrilateral of \a edge. */
@@ -127,24 +175,37 @@ private:
   static void
   FindNeighborsToFollow(Slice & slice);
 
-  Slice &
-  AddEmptySlice();
-
-  void
-  Append(std::vector<MedialVoxelSurfaceCell> cells);
-
   void
   Push(std::vector<MedialVoxelSurfaceCell> cells);
 
+  /** Do the slices that wait, and hand on those before them that are done. */
   void
-  Smooth(std::size_t at);
+  DoBatch();
+
+  template <typename TTask>
+  void
+  ForEachSlice(const Range & slices, TTask && task);
 
   void
-  HandOn(std::size_t at);
+  Join(std::size_t at, const Range & newSlices);
+
+  void
+  Smooth(std::size_t at, const Range & slicesOfStep);
+
+  void
+  PlacePoints(std::size_t at);
+
+  void
+  HandOn(const Range & slices);
+
+  void
+  HandOn(std::vector<Part> & parts);
+
+  void
+  Make(Part & part) const;
 
   MedialVoxelSurfaceQuad
   MakeQuad(std::size_t at, std::uint32_t cell, unsigned int axis) const;
-
 
   std::array<double, 3>
   PointOf(const Slice & slice, std::uint32_t cell) const;
@@ -153,14 +214,13 @@ private:
   MedialVoxelGrid::SpacingType m_Spacing;
   MedialVoxelSurfaceConsumer & m_Consumer;
   double                       m_WeightOfPlane{ 0.15 };
+  RunTasks                     m_RunTasks{ RunHere };
   std::deque<Slice>            m_Slices;
-  Slice                        m_Spare; // memory of a slice that is done
+  std::size_t                  m_NumberOfWaiting{ 0 }; // the last ones
+  std::size_t                  m_WaitingVertices{ 0 };
+  std::vector<Slice>           m_Spare; // memory of slices that are done
   std::int64_t                 m_NextSlice{ 0 };
   std::uint64_t                m_NumberOfVertices{ 0 };
-
-  // Handed on together.
-  std::vector<MedialVoxelSurfaceVertex> m_Vertices;
-  std::vector<MedialVoxelSurfaceQuad>   m_Quads;
 };
 
 } // end namespace itk

@@ -34,11 +34,9 @@ Append(const CellVector::const_iterator first, const CellVector::const_iterator 
   cells.insert(cells.end(), first, last);
 }
 
-/** Sorts the cells of a slice, which come in pieces whose rows are sorted.
- *
- * \param sorted  memory that it may exchange for that of the cells */
+/** Sorts the cells of a slice, which come in pieces whose rows are sorted. */
 void
-SortSlice(CellVector & cells, CellVector & sorted)
+SortSlice(CellVector & cells)
 {
   if (std::is_sorted(cells.begin(), cells.end(), MedialVoxelIsBefore))
   {
@@ -60,7 +58,7 @@ SortSlice(CellVector & cells, CellVector & sorted)
     ++ends[static_cast<std::size_t>(cell.index[1] - first) + 1];
   }
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  sorted.resize(cells.size());
+  CellVector sorted(cells.size());
   for (const MedialVoxelSurfaceCell & cell : cells)
   {
     sorted[ends[static_cast<std::size_t>(cell.index[1] - first)]++] = cell;
@@ -173,20 +171,18 @@ MedialVoxelSurfaceObserver::Observe(const MedialVoxelClassifiedTile &, Workspace
 void
 MedialVoxelSurfaceObserver::Commit()
 {
-  CellVector sorted;
+  for (CellVector & cells : m_Pending)
+  {
+    for (MedialVoxelSurfaceCell & cell : cells)
+    {
+      cell.part = m_FindPart ? m_FindPart({ { cell.index[0], cell.index[1], cell.index[2] } }) : cell.part;
+    }
+  }
+  m_Builder.GetRunTasks()(m_Pending.size(), [this](const std::size_t slice) { SortSlice(m_Pending[slice]); });
   for (std::size_t slice = 0; slice < m_Pending.size(); ++slice)
   {
     MedialVoxelCheckAbort();
-    auto & cells = m_Pending[slice];
-    if (m_FindPart)
-    {
-      for (MedialVoxelSurfaceCell & cell : cells)
-      {
-        cell.part = m_FindPart({ { cell.index[0], cell.index[1], cell.index[2] } });
-      }
-    }
-    SortSlice(cells, sorted);
-    m_Trimmer.AddSlice(m_FirstSlice + static_cast<std::int64_t>(slice), std::move(cells));
+    m_Trimmer.AddSlice(m_FirstSlice + static_cast<std::int64_t>(slice), std::move(m_Pending[slice]));
   }
   this->Begin();
 }

@@ -69,6 +69,13 @@ public:
     m_FindPart = std::move(find);
   }
 
+  /** As MedialVoxelSurfaceBuilder::RunTasksWith(). */
+  void
+  RunTasksWith(const MedialVoxelSurfaceBuilder::RunTasks & run)
+  {
+    m_Builder.RunTasksWith(run);
+  }
+
   std::uint64_t
   GetBytesPerVoxel() const override
   {

@@ -9,6 +9,7 @@
 #include "SheetRemeshing.h"
 #include "MeshSorting.h"
 #include "SheetThickness.h"
+#include "ThreadedTasks.h"
 
 #include <algorithm>
 #include <limits>
@@ -40,6 +41,14 @@ GetPendingCells(const VolumeGeometry & geometry)
 {
   constexpr std::uint64_t least = std::uint64_t{ 1 } << 16;
   return std::max(least, geometry.GetVoxelsPerSlice() / 8);
+}
+
+/** Of vertices that are joined and smoothed together. */
+std::uint64_t
+BytesOfBatch(const VolumeGeometry & geometry)
+{
+  using Builder = itk::MedialVoxelSurfaceBuilder;
+  return std::min<std::uint64_t>(Builder::BytesOfBatch, geometry.GetNumberOfVoxels() / 8 * (Builder::BytesOfBatch / Builder::VerticesOfBatch));
 }
 
 itk::MedialVoxelGrid::SpacingType
@@ -110,6 +119,7 @@ SheetMesh::MakeObserver(itk::MedialVoxelSurfaceConsumer & consumer) const
   auto observer = std::make_unique<itk::MedialVoxelSurfaceObserver>(
     m_Grid, GetParameters(m_Options, m_Grid), GetSpacing(m_Geometry), GetPlacement(m_Geometry), consumer);
   observer->SetMaximumNumberOfCells(m_MaximumNumberOfCells);
+  observer->RunTasksWith([](const std::size_t count, const auto & task) { RunInThreads(count, task); });
   if (m_Options.labels)
   {
     observer->FindPartsWith([this](const itk::MedialVoxelIndex & cell) { return m_FindObject(cell); });
@@ -253,7 +263,7 @@ SheetMesh::GetFootprint(const ExtractOptions &       options,
   const std::uint64_t vertices = GetPlannedVertices(geometry);
   ProductFootprint    footprint;
   footprint.beside = geometry.GetVoxelsPerSlice() / VoxelsPerCellInWork * CellInWorkSize +
-                     GetPendingCells(geometry) * PendingCellSize + WritingMemory + GetEdgeMemory(options, geometry) +
+                     GetPendingCells(geometry) * PendingCellSize + BytesOfBatch(geometry) + WritingMemory + GetEdgeMemory(options, geometry) +
                      (isRemeshed ? GetRemeshingMemory(1) : 0) + GetCleaningMemory(cleaning, vertices);
   footprint.perVoxelOfTile = itk::MedialVoxelSurfaceObserver::GetBytesPerVoxel(grid, GetParameters(options, grid));
   footprint.surplus.most = MostPending;

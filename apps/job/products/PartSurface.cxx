@@ -3,9 +3,9 @@
 #include "PartSurface.h"
 
 #include "MeshPlacement.h"
+#include "ThreadedTasks.h"
 
 #include "itkMedialVoxelProgress.h"
-#include "itkMultiThreaderBase.h"
 
 #include <algorithm>
 #include <cmath>
@@ -217,8 +217,14 @@ PartSurface::AddRays(const std::vector<itk::MedialVoxelIsosurfaceVertex> & verti
 {
   constexpr float                        unknown = std::numeric_limits<float>::quiet_NaN();
   std::vector<itk::MedialVoxelRayResult> rays(vertices.size());
-  const auto measure = [&](itk::SizeValueType i) { rays[i] = m_Ray.Measure(vertices[i].point); };
-  itk::MultiThreaderBase::New()->ParallelizeArray(0, vertices.size(), measure, nullptr);
+  constexpr std::size_t raysOfTask = 64;
+  RunInThreads((vertices.size() + raysOfTask - 1) / raysOfTask, [&](const std::size_t number) {
+    const std::size_t end = std::min((number + 1) * raysOfTask, vertices.size());
+    for (std::size_t i = number * raysOfTask; i < end; ++i)
+    {
+      rays[i] = m_Ray.Measure(vertices[i].point);
+    }
+  });
   std::vector<float> lengths(vertices.size());
   std::transform(rays.begin(), rays.end(), lengths.begin(), [this](const itk::MedialVoxelRayResult & ray) {
     this->CountRay(ray.end);

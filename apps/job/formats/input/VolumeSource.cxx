@@ -3,7 +3,7 @@
 #include "VolumeSource.h"
 
 #include "InputVolume.h"
-#include "SpanRunner.h"
+#include "ThreadedTasks.h"
 #include "VoxelSource.h"
 
 #include <chrono>
@@ -129,12 +129,9 @@ VolumeSource::CutIntoSpans(const itk::MedialVoxelBox & box, std::size_t bytesPer
 void
 VolumeSource::ForEach(const Boxes & boxes, unsigned int mostThreads, const Work & work)
 {
-  SpanRunner runner;
-  if (mostThreads > 0)
-  {
-    runner.LimitThreads(mostThreads);
-  }
-  runner.Run(boxes, this->GetSourceThreads() == itk::MedialVoxelSourceThreads::Several, work);
+  const bool isParallel = this->GetSourceThreads() == itk::MedialVoxelSourceThreads::Several;
+  const auto most = !isParallel ? 1 : mostThreads > 0 ? mostThreads : static_cast<unsigned int>(boxes.size());
+  RunInThreads(boxes.size(), [&](const std::size_t number) { work(boxes[number]); }, most);
 }
 
 std::uint64_t
