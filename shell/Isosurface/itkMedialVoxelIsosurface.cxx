@@ -13,8 +13,12 @@ namespace itk
 namespace
 {
 
-constexpr std::size_t BufferSize = std::size_t{ 1 } << 14;
-constexpr double      LeastShare = 1.0 / 256.0;
+constexpr std::int64_t RowsOfPart = 16;
+constexpr double       LeastShare = 1.0 / 256.0;
+
+/** Planned bytes of the surface in a slice, for each of its pixels: a vertex for each 16, and twice as many faces. */
+constexpr std::uint64_t BytesPerPixel =
+  (sizeof(MedialVoxelIsosurfaceVertex) + 2 * sizeof(MedialVoxelIsosurfaceTriangle)) / 16;
 
 /** Bit x of the result is bit x + 1 of the row. */
 std::uint64_t
@@ -37,11 +41,17 @@ MedialVoxelIsosurfaceConsumer::~MedialVoxelIsosurfaceConsumer() = default;
 
 MedialVoxelIsosurface::MedialVoxelIsosurface(const MedialVoxelMargins &      margins,
                                              const bool                      isClosed,
-                                             MedialVoxelIsosurfaceConsumer & consumer)
+                                             MedialVoxelIsosurfaceConsumer & consumer,
+                                             RunTasks                        run)
   : m_Margins(margins)
   , m_IsClosed(isClosed)
   , m_Consumer(consumer)
+  , m_RunTasks(std::move(run))
 {
+  for (std::int64_t begin = 0; begin <= margins.GetSize()[1]; begin += RowsOfPart)
+  {
+    m_Parts.push_back({ begin, std::min(begin + RowsOfPart, margins.GetSize()[1] + 1) });
+  }
   for (Slice & slice : m_Slices)
   {
     slice.object.Reshape(this->GetBoxOfSlice());
@@ -65,8 +75,7 @@ MedialVoxelIsosurface::GetBytes(const MedialVoxelIndex & size)
 {
   const std::uint64_t bits = MedialVoxelBits::GetBytes({ { 0, 0, 0 }, { size[0] + 2, size[1] + 2, 1 } });
   // Ranks take half as much as the bits that they are of.
-  return 2 * bits + 5 * (bits + bits / 2) +
-         BufferSize * (sizeof(MedialVoxelIsosurfaceVertex) + sizeof(MedialVoxelIsosurfaceTriangle));
+  return 2 * bits + 5 * (bits + bits / 2) + static_cast<std::uint64_t>(size[0] * size[1]) * BytesPerPixel;
 }
 
 void
@@ -90,7 +99,6 @@ MedialVoxelIsosurface::Finish()
 {
   this->BeginSlice();
   this->EndSlice();
-  this->FlushTriangles();
 }
 
 void
@@ -100,31 +108,76 @@ MedialVoxelIsosurface::BeginSlice()
   m_Slices[1].object.Reshape(this->GetBoxOfSlice());
 }
 
+/** The consumer may look at values of these slices, which go. */
 void
 MedialVoxelIsosurface::EndSlice()
 {
-  this->FindCrossings(2, m_Slices[0].object, m_Between);
-  this->FindCrossings(0, m_Slices[1].object, m_Slices[1].edges[0]);
-  this->FindCrossings(1, m_Slices[1].object, m_Slices[1].edges[1]);
-  this->AddCells();
-  // The consumer may look at values of these slices, which go.
-  this->FlushVertices();
+  constexpr unsigned int axes[] = { 0, 1, 2 };
+  for (const unsigned int axis : axes)
+  {
+    this->GetEdges(axis).bits.Reshape(this->GetBoxOfSlice());
+  }
+  this->ForEachPart([&](Part & part) {
+    for (const unsigned int axis : axes)
+    {
+      this->FindCrossings(axis, part);
+    }
+  });
+  this->NumberVertices();
+  this->ForEachPart([&](Part & part) {
+    for (const unsigned int axis : axes)
+    {
+      m_Consumer.AddVertices(part.firstVertex[axis], part.vertices[axis]);
+    }
+    this->AddCells(part);
+  });
+  for (Part & part : m_Parts)
+  {
+    part.firstTriangle = m_NumberOfTriangles;
+    m_NumberOfTriangles += part.triangles.size();
+  }
+  this->ForEachPart([&](Part & part) { m_Consumer.AddTriangles(part.firstTriangle, part.triangles); });
   ++m_Z;
 }
 
+template <typename TTask>
 void
-MedialVoxelIsosurface::FindCrossings(const unsigned int axis, const MedialVoxelBits & lower, Edges & edges)
+MedialVoxelIsosurface::ForEachPart(TTask && task)
 {
-  edges.bits.Reshape(this->GetBoxOfSlice());
-  edges.first = m_NumberOfVertices;
-  const MedialVoxelIndex & size = m_Margins.GetSize();
-  const std::int64_t       z = m_Z + (axis == 2 ? 0 : 1);
-  const auto               isWanted = [&](const MedialVoxelIndex & voxel) {
+  m_RunTasks(m_Parts.size(), [&](const std::size_t number) { task(m_Parts[number]); });
+}
+
+/** Along z first, then along x, then along y. */
+void
+MedialVoxelIsosurface::NumberVertices()
+{
+  for (const unsigned int axis : { 2u, 0u, 1u })
+  {
+    Edges & edges = this->GetEdges(axis);
+    edges.first = m_NumberOfVertices;
+    edges.bits.Rank();
+    for (Part & part : m_Parts)
+    {
+      part.firstVertex[axis] = m_NumberOfVertices;
+      m_NumberOfVertices += part.vertices[axis].size();
+    }
+  }
+}
+
+void
+MedialVoxelIsosurface::FindCrossings(const unsigned int axis, Part & part)
+{
+  MedialVoxelRankedBits & bits = this->GetEdges(axis).bits;
+  const MedialVoxelBits & lower = m_Slices[axis == 2 ? 0 : 1].object;
+  auto &                  vertices = part.vertices[axis];
+  vertices.clear();
+  const std::int64_t      z = m_Z + (axis == 2 ? 0 : 1);
+  const auto              isWanted = [&](const MedialVoxelIndex & voxel) {
     const std::int64_t upper = (axis == 2 ? z : voxel[axis]) + 1;
     return m_IsClosed || (this->IsInside(0, voxel[0]) && this->IsInside(1, voxel[1]) && this->IsInside(2, z) &&
                           this->IsInside(axis, upper));
   };
-  for (std::int64_t y = 0; y <= size[1]; ++y)
+  for (std::int64_t y = part.begin; y < part.end; ++y)
   {
     const auto * const row = lower.GetRow(y, 0);
     const auto * const upper = axis == 2 ? m_Slices[1].object.GetRow(y, 0) : lower.GetRow(axis == 1 ? y + 1 : y, 0);
@@ -136,19 +189,13 @@ MedialVoxelIsosurface::FindCrossings(const unsigned int axis, const MedialVoxelB
         const MedialVoxelIndex voxel{ word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(crossings), y, 0 };
         if (isWanted(voxel))
         {
-          edges.bits.Set(voxel);
-          m_Vertices.push_back(
+          bits.Set(voxel);
+          vertices.push_back(
             this->MakeVertex(axis, { voxel[0], voxel[1], z }, (row[word] >> (voxel[0] & 63) & 1u) != 0));
         }
       }
     }
-    if (m_Vertices.size() >= BufferSize)
-    {
-      this->FlushVertices();
-    }
   }
-  edges.bits.Rank();
-  m_NumberOfVertices += edges.bits.GetNumberOfBits();
 }
 
 MedialVoxelIsosurfaceVertex
@@ -174,15 +221,16 @@ MedialVoxelIsosurface::MakeVertex(unsigned int axis, const MedialVoxelIndex & vo
 }
 
 void
-MedialVoxelIsosurface::AddCells()
+MedialVoxelIsosurface::AddCells(Part & part) const
 {
+  part.triangles.clear();
   const MedialVoxelIndex & size = m_Margins.GetSize();
   const bool               isCapOfSlices = m_Z == 0 || m_Z == size[2];
   if (!m_IsClosed && isCapOfSlices)
   {
     return;
   }
-  for (std::int64_t y = 0; y <= size[1]; ++y)
+  for (std::int64_t y = part.begin; y < part.end; ++y)
   {
     const std::array<const MedialVoxelBits::WordType *, 4> rows{ m_Slices[0].object.GetRow(y, 0),
                                                                  m_Slices[0].object.GetRow(y + 1, 0),
@@ -214,14 +262,17 @@ MedialVoxelIsosurface::AddCells()
         {
           objectCorners |= static_cast<unsigned int>(corners[corner] >> bit & 1u) << corner;
         }
-        this->AddCell({ x, y, 0 }, objectCorners, isCap);
+        this->AddCell({ x, y, 0 }, objectCorners, isCap, part);
       }
     }
   }
 }
 
 void
-MedialVoxelIsosurface::AddCell(const MedialVoxelIndex & cell, unsigned int objectCorners, bool isCap)
+MedialVoxelIsosurface::AddCell(const MedialVoxelIndex & cell,
+                               unsigned int             objectCorners,
+                               bool                     isCap,
+                               Part &                   part) const
 {
   using Table = MedialVoxelIsosurfaceTable;
   const auto numberOf = [&](unsigned int edge) {
@@ -233,26 +284,8 @@ MedialVoxelIsosurface::AddCell(const MedialVoxelIndex & cell, unsigned int objec
   };
   for (const Table::Triangle & triangle : Table::Get(objectCorners))
   {
-    m_Triangles.push_back({ { numberOf(triangle[0]), numberOf(triangle[1]), numberOf(triangle[2]) }, isCap });
+    part.triangles.push_back({ { numberOf(triangle[0]), numberOf(triangle[1]), numberOf(triangle[2]) }, isCap });
   }
-  if (m_Triangles.size() >= BufferSize)
-  {
-    this->FlushTriangles();
-  }
-}
-
-void
-MedialVoxelIsosurface::FlushVertices()
-{
-  m_Consumer.AddVertices(m_Vertices);
-  m_Vertices.clear();
-}
-
-void
-MedialVoxelIsosurface::FlushTriangles()
-{
-  m_Consumer.AddTriangles(m_Triangles);
-  m_Triangles.clear();
 }
 
 } // end namespace itk

@@ -7,7 +7,9 @@
 #include "itkMedialVoxelRankedBits.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace itk
@@ -34,7 +36,7 @@ struct MedialVoxelIsosurfaceTriangle
 };
 
 /** \class MedialVoxelIsosurfaceConsumer
- * \brief Takes a surface in parts. A face may come before its vertices.
+ * \brief Takes a surface in parts, in any order and from several threads at a time.
  * \ingroup MedialVoxel
  */
 class MedialVoxelIsosurfaceConsumer
@@ -42,10 +44,11 @@ class MedialVoxelIsosurfaceConsumer
 public:
   virtual ~MedialVoxelIsosurfaceConsumer();
 
+  /** Vertices with the numbers from \a first on. */
   virtual void
-  AddVertices(const std::vector<MedialVoxelIsosurfaceVertex> & vertices) = 0;
+  AddVertices(std::uint64_t first, const std::vector<MedialVoxelIsosurfaceVertex> & vertices) = 0;
   virtual void
-  AddTriangles(const std::vector<MedialVoxelIsosurfaceTriangle> & triangles) = 0;
+  AddTriangles(std::uint64_t first, const std::vector<MedialVoxelIsosurfaceTriangle> & triangles) = 0;
 };
 
 /** \class MedialVoxelIsosurface
@@ -60,9 +63,16 @@ public:
 class MedialVoxelIsosurface
 {
 public:
+  /** Calls task(number) for the numbers below the count, in any threads. */
+  using RunTasks = std::function<void(std::size_t count, const std::function<void(std::size_t number)> & task)>;
+
   /** Where margins are not known, or do not differ, vertices are in the middle.
-   * \param isClosed at the faces of the image \param margins of the slices that are added, and the one before */
-  MedialVoxelIsosurface(const MedialVoxelMargins & margins, bool isClosed, MedialVoxelIsosurfaceConsumer & consumer);
+   * \param isClosed at the faces of the image \param margins of the slices that are added, and the one before
+   * \param run takes parts of each slice */
+  MedialVoxelIsosurface(const MedialVoxelMargins &      margins,
+                        bool                            isClosed,
+                        MedialVoxelIsosurfaceConsumer & consumer,
+                        RunTasks                        run);
 
   /** Take the next slice, whose bits are those of the object. The consumer gets the surface up to it. */
   void
@@ -91,8 +101,25 @@ private:
     std::array<Edges, 2> edges; ///< along x and y
   };
 
+  /** Rows of a slice, and the surface in them. */
+  struct Part
+  {
+    std::int64_t                                            begin;
+    std::int64_t                                            end;
+    std::array<std::vector<MedialVoxelIsosurfaceVertex>, 3> vertices{}; ///< by axis
+    std::array<std::uint64_t, 3>                            firstVertex{};
+    std::vector<MedialVoxelIsosurfaceTriangle>              triangles{};
+    std::uint64_t                                           firstTriangle{ 0 };
+  };
+
   MedialVoxelBox
   GetBoxOfSlice() const;
+
+  Edges &
+  GetEdges(unsigned int axis)
+  {
+    return axis == 2 ? m_Between : m_Slices[1].edges[axis];
+  }
 
   /** Let the slices before and now be the last one and an empty one. */
   void
@@ -101,22 +128,26 @@ private:
   void
   EndSlice();
 
-  /** Number the vertices along an axis, of which the lower ends are in a slice. */
+  template <typename TTask>
   void
-  FindCrossings(unsigned int axis, const MedialVoxelBits & lower, Edges & edges);
+  ForEachPart(TTask && task);
+
+  /** Find the vertices along an axis, of which the lower ends are in the slice, or in the one before. */
+  void
+  FindCrossings(unsigned int axis, Part & part);
 
   void
-  AddVertices(unsigned int axis, const Edges & edges);
+  NumberVertices();
 
   /** \param voxel of the image plus one \param lower true when it is the lower end that is object */
   MedialVoxelIsosurfaceVertex
   MakeVertex(unsigned int axis, const MedialVoxelIndex & voxel, bool lower) const;
 
   void
-  AddCells();
+  AddCells(Part & part) const;
 
   void
-  AddCell(const MedialVoxelIndex & cell, unsigned int objectCorners, bool isCap);
+  AddCell(const MedialVoxelIndex & cell, unsigned int objectCorners, bool isCap, Part & part) const;
 
   bool
   IsInside(unsigned int axis, std::int64_t index) const
@@ -124,20 +155,16 @@ private:
     return index > 0 && index <= m_Margins.GetSize()[axis];
   }
 
-  void
-  FlushVertices();
-  void
-  FlushTriangles();
-
-  const MedialVoxelMargins &                 m_Margins;
-  bool                                       m_IsClosed;
-  MedialVoxelIsosurfaceConsumer &            m_Consumer;
-  std::int64_t                               m_Z{ 0 };  ///< of the slice that comes next
-  std::array<Slice, 2>                       m_Slices;  ///< before and now
-  Edges                                      m_Between; ///< along z, from before to now
-  std::uint64_t                              m_NumberOfVertices{ 0 };
-  std::vector<MedialVoxelIsosurfaceVertex>   m_Vertices;
-  std::vector<MedialVoxelIsosurfaceTriangle> m_Triangles;
+  const MedialVoxelMargins &      m_Margins;
+  bool                            m_IsClosed;
+  MedialVoxelIsosurfaceConsumer & m_Consumer;
+  RunTasks                        m_RunTasks;
+  std::int64_t                    m_Z{ 0 };  ///< of the slice that comes next
+  std::array<Slice, 2>            m_Slices;  ///< before and now
+  Edges                           m_Between; ///< along z, from before to now
+  std::vector<Part>               m_Parts;   ///< of the slice
+  std::uint64_t                   m_NumberOfVertices{ 0 };
+  std::uint64_t                   m_NumberOfTriangles{ 0 };
 };
 
 } // end namespace itk

@@ -6,6 +6,7 @@
 #include "itkMedialVoxelSurfaceBuilder.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace medialvoxel
 {
@@ -109,6 +110,12 @@ MeshSpool::MeshSpool(const std::filesystem::path & folder, MeshPrecision precisi
 void
 MeshSpool::AddVertices(const std::vector<MeshVertex> & vertices)
 {
+  this->PutVertices(m_NumberOfVertices, vertices);
+}
+
+void
+MeshSpool::PutVertices(std::uint64_t first, const std::vector<MeshVertex> & vertices)
+{
   if (m_HoldsFloats)
   {
     std::vector<RoundedVertex> records(vertices.size());
@@ -122,8 +129,9 @@ MeshSpool::AddVertices(const std::vector<MeshVertex> & vertices)
       records[i].thickness = static_cast<float>(thickness);
       objects[i] = object;
     }
-    WriteRecords(m_VertexFile, m_NumberOfVertices, records);
-    m_Objects.Write(m_NumberOfVertices, objects);
+    WriteRecords(m_VertexFile, first, records);
+    const std::lock_guard<std::mutex> lock(m_Mutex);
+    m_Objects.Write(first, objects);
     m_NumberOfVertices += vertices.size();
     return;
   }
@@ -131,13 +139,14 @@ MeshSpool::AddVertices(const std::vector<MeshVertex> & vertices)
   std::transform(vertices.begin(), vertices.end(), records.begin(), [this](const auto & vertex) {
     return Pack(vertex, m_Precision);
   });
-  this->PutVertices(m_NumberOfVertices, records);
+  this->PutVertices(first, records);
 }
 
 void
 MeshSpool::PutVertices(std::uint64_t first, const std::vector<Vertex> & vertices)
 {
   WriteRecords(m_VertexFile, first, vertices);
+  const std::lock_guard<std::mutex> lock(m_Mutex);
   m_NumberOfVertices += vertices.size();
 }
 
@@ -150,25 +159,38 @@ MeshSpool::AddFaces(const std::vector<MeshFace> & faces)
 void
 MeshSpool::PutFaces(std::uint64_t first, const std::vector<MeshFace> & faces)
 {
-  std::vector<Corners>       corners(faces.size());
-  std::vector<std::uint32_t> upper(4 * faces.size());
-  std::vector<FaceMarks>     marks(faces.size());
+  std::vector<Corners>   corners(faces.size());
+  std::vector<FaceMarks> marks(faces.size());
+  std::uint64_t          triangles = 0;
+  std::uint64_t          largest = 0;
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
     const MeshFace & face = faces[i];
     for (std::size_t k = 0; k < 4; ++k)
     {
       corners[i][k] = static_cast<std::uint32_t>(face.vertices[k]);
-      upper[4 * i + k] = static_cast<std::uint32_t>(face.vertices[k] >> BitsOfHalf);
+      largest = std::max(largest, face.vertices[k]);
     }
     marks[i] = { static_cast<float>(face.area), face.numberOfVertices, face.rimEdges, face.junctionEdges, face.isCap };
-    ++(face.numberOfVertices == 3 ? m_NumberOfTriangles : m_NumberOfQuads);
-    const auto end = face.vertices.begin() + face.numberOfVertices;
-    m_NumberOfNeededVertices = std::max(m_NumberOfNeededVertices, *std::max_element(face.vertices.begin(), end) + 1);
+    triangles += face.numberOfVertices == 3 ? 1 : 0;
   }
   WriteRecords(m_CornerFile, first, corners);
-  m_UpperCorners.Write(4 * first, upper);
   WriteRecords(m_MarkFile, first, marks);
+  std::vector<std::uint32_t> upper;
+  if (largest >> BitsOfHalf != 0)
+  {
+    for (const MeshFace & face : faces)
+    {
+      std::transform(face.vertices.begin(), face.vertices.end(), std::back_inserter(upper), [](std::uint64_t vertex) {
+        return static_cast<std::uint32_t>(vertex >> BitsOfHalf);
+      });
+    }
+  }
+  const std::lock_guard<std::mutex> lock(m_Mutex);
+  m_UpperCorners.Write(4 * first, upper);
+  m_NumberOfTriangles += triangles;
+  m_NumberOfQuads += faces.size() - triangles;
+  m_NumberOfNeededVertices = std::max(m_NumberOfNeededVertices, faces.empty() ? 0 : largest + 1);
 }
 
 void

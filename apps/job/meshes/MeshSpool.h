@@ -7,6 +7,7 @@
 #include "MeshSink.h"
 
 #include <filesystem>
+#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -61,9 +62,12 @@ public:
   void
   AddFaces(const std::vector<MeshFace> & faces) override;
 
-  /** Vertices in any order: a run from number \a first on. All numbers up to the largest must come, each once. */
+  /** Vertices in any order, from any threads: a run from number \a first on. All numbers up to the largest must come, each
+   * once. */
   void
   PutVertices(std::uint64_t first, const std::vector<Vertex> & vertices);
+  void
+  PutVertices(std::uint64_t first, const std::vector<MeshVertex> & vertices);
 
   /** The same for faces. */
   void
@@ -139,6 +143,7 @@ private:
   void
   ReadCorners(std::uint64_t first, std::vector<MeshFace> & faces) const;
 
+  std::mutex    m_Mutex; // of all but the first three files
   ScratchFile   m_VertexFile;
   ScratchFile   m_CornerFile;
   ScratchFile   m_MarkFile;

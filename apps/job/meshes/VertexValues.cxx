@@ -20,9 +20,9 @@ VertexValues::VertexValues(const std::filesystem::path & folder, std::string nam
 {}
 
 void
-VertexValues::Add(const std::vector<float> & numbers)
+VertexValues::Put(const std::uint64_t first, const std::vector<float> & numbers)
 {
-  m_File.WriteAt(m_Size * VertexSize, numbers.data(), numbers.size() * VertexSize);
+  m_File.WriteAt(first * VertexSize, numbers.data(), numbers.size() * VertexSize);
   m_Size += numbers.size();
 }
 
@@ -39,7 +39,7 @@ VertexValues::Get(const std::uint64_t vertex) const
   if (vertex < m_First || vertex >= m_First + m_Block.size())
   {
     m_First = vertex / BlockSize * BlockSize;
-    this->Read(m_First, std::min(BlockSize, m_Size - m_First), m_Block);
+    this->Read(m_First, std::min(BlockSize, m_Size.load() - m_First), m_Block);
   }
   return m_Block[vertex - m_First];
 }

@@ -5,6 +5,7 @@
 
 #include "ScratchFile.h"
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -31,9 +32,9 @@ public:
     return m_Name;
   }
 
-  /** Adds the numbers of the vertices that come next. \throw JobError Failure. */
+  /** Numbers of the vertices from number \a first on, from any threads. \throw JobError Failure. */
   void
-  Add(const std::vector<float> & numbers);
+  Put(std::uint64_t first, const std::vector<float> & numbers);
 
   /** The values of \a count existing vertices from number \a first on. \throw JobError Failure. */
   void
@@ -46,7 +47,7 @@ public:
 private:
   ScratchFile                m_File;
   std::string                m_Name;
-  std::uint64_t              m_Size{ 0 };
+  std::atomic<std::uint64_t> m_Size{ 0 };
   mutable std::vector<float> m_Block; ///< that was read last
   mutable std::uint64_t      m_First{ 0 };
 };

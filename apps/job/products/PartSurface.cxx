@@ -92,7 +92,10 @@ PartSurface::PartSurface(const PartOptions & options, const VolumeHeader & heade
   , m_Halo(GetHalo(options, header))
   , m_Margins(m_Size, GetSlicesOfMargins(options, header))
   , m_Ray(m_Margins, GetGrid(options, header).GetSpacing(), m_MaximumRay)
-  , m_Isosurface(m_Margins, !options.isOpen, *this)
+  , m_Isosurface(m_Margins,
+                 !options.isOpen,
+                 *this,
+                 [](const std::size_t count, const auto & task) { RunInThreads(count, task); })
   , m_Map(std::make_unique<Map>(*this))
   , m_Before(header.geometry.GetVoxelsPerSlice())
   , m_Spool(GetScratchFolder(options, options.output), GetPrecision(header.geometry))
@@ -175,12 +178,16 @@ PartSurface::SetMargins(std::int64_t z, const itk::MedialVoxelBits & object)
 }
 
 void
-PartSurface::AddVertices(const std::vector<itk::MedialVoxelIsosurfaceVertex> & vertices)
+PartSurface::AddVertices(const std::uint64_t first, const std::vector<itk::MedialVoxelIsosurfaceVertex> & vertices)
 {
-  itk::MedialVoxelCheckAbort(); // slices may have millions of them
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  m_Vertices.resize(vertices.size());
-  std::transform(vertices.begin(), vertices.end(), m_Vertices.begin(), [&](const auto & vertex) {
+  if (vertices.empty())
+  {
+    return;
+  }
+  constexpr double        unknown = std::numeric_limits<double>::quiet_NaN();
+  std::uint64_t           unknownVertices = 0;
+  std::vector<MeshVertex> records(vertices.size());
+  std::transform(vertices.begin(), vertices.end(), records.begin(), [&](const auto & vertex) {
     MeshVertex result{ m_Placement.origin };
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
@@ -193,13 +200,17 @@ PartSurface::AddVertices(const std::vector<itk::MedialVoxelIsosurfaceVertex> & v
     const auto   offset = static_cast<std::size_t>(object[1] * m_Size[0] + object[0]);
     const float  thickness = object[2] == m_Z && m_Now != nullptr ? m_Now[offset] : m_Before[offset];
     result.thickness = thickness > 0.0f ? thickness : unknown;
-    m_Facts.unknownVertices += thickness > 0.0f ? 0 : 1;
+    unknownVertices += thickness > 0.0f ? 0 : 1;
     return result;
   });
-  m_Spool.AddVertices(m_Vertices);
+  m_Spool.PutVertices(first, records);
+  {
+    const std::lock_guard<std::mutex> lock(m_Mutex);
+    m_Facts.unknownVertices += unknownVertices;
+  }
   if (m_RayThickness)
   {
-    this->AddRays(vertices);
+    this->AddRays(first, vertices);
   }
 }
 
@@ -213,31 +224,32 @@ PartSurface::CountRay(const itk::MedialVoxelRayEnd end)
 }
 
 void
-PartSurface::AddRays(const std::vector<itk::MedialVoxelIsosurfaceVertex> & vertices)
+PartSurface::AddRays(const std::uint64_t first, const std::vector<itk::MedialVoxelIsosurfaceVertex> & vertices)
 {
   constexpr float                        unknown = std::numeric_limits<float>::quiet_NaN();
   std::vector<itk::MedialVoxelRayResult> rays(vertices.size());
-  constexpr std::size_t raysOfTask = 64;
-  RunInThreads((vertices.size() + raysOfTask - 1) / raysOfTask, [&](const std::size_t number) {
-    const std::size_t end = std::min((number + 1) * raysOfTask, vertices.size());
-    for (std::size_t i = number * raysOfTask; i < end; ++i)
-    {
-      rays[i] = m_Ray.Measure(vertices[i].point);
-    }
+  std::transform(vertices.begin(), vertices.end(), rays.begin(), [this](const auto & vertex) {
+    return m_Ray.Measure(vertex.point);
   });
   std::vector<float> lengths(vertices.size());
-  std::transform(rays.begin(), rays.end(), lengths.begin(), [this](const itk::MedialVoxelRayResult & ray) {
-    this->CountRay(ray.end);
+  std::transform(rays.begin(), rays.end(), lengths.begin(), [](const itk::MedialVoxelRayResult & ray) {
     return ray.end == itk::MedialVoxelRayEnd::Surface ? static_cast<float>(ray.length) : unknown;
   });
-  m_RayThickness->Add(lengths);
+  m_RayThickness->Put(first, lengths);
+  const std::lock_guard<std::mutex> lock(m_Mutex);
+  std::for_each(rays.begin(), rays.end(), [this](const itk::MedialVoxelRayResult & ray) { this->CountRay(ray.end); });
 }
 
 void
-PartSurface::AddTriangles(const std::vector<itk::MedialVoxelIsosurfaceTriangle> & triangles)
+PartSurface::AddTriangles(const std::uint64_t                                      first,
+                          const std::vector<itk::MedialVoxelIsosurfaceTriangle> & triangles)
 {
-  m_Faces.resize(triangles.size());
-  std::transform(triangles.begin(), triangles.end(), m_Faces.begin(), [this](const auto & triangle) {
+  if (triangles.empty())
+  {
+    return;
+  }
+  std::vector<MeshFace> faces(triangles.size());
+  std::transform(triangles.begin(), triangles.end(), faces.begin(), [this](const auto & triangle) {
     MeshFace face;
     const auto & [a, b, c] = triangle.vertices;
     face.vertices = { a, m_IsMirrored ? c : b, m_IsMirrored ? b : c, 0 };
@@ -245,7 +257,7 @@ PartSurface::AddTriangles(const std::vector<itk::MedialVoxelIsosurfaceTriangle> 
     face.isCap = triangle.isCap;
     return face;
   });
-  m_Spool.AddFaces(m_Faces);
+  m_Spool.PutFaces(first, faces);
 }
 
 Json

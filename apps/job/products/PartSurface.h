@@ -19,6 +19,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -75,15 +76,15 @@ private:
   SetMargins(std::int64_t z, const itk::MedialVoxelBits & object);
 
   void
-  AddVertices(const std::vector<itk::MedialVoxelIsosurfaceVertex> & vertices) override;
+  AddVertices(std::uint64_t first, const std::vector<itk::MedialVoxelIsosurfaceVertex> & vertices) override;
   void
-  AddTriangles(const std::vector<itk::MedialVoxelIsosurfaceTriangle> & triangles) override;
+  AddTriangles(std::uint64_t first, const std::vector<itk::MedialVoxelIsosurfaceTriangle> & triangles) override;
 
   void
   CountRay(itk::MedialVoxelRayEnd end);
 
   void
-  AddRays(const std::vector<itk::MedialVoxelIsosurfaceVertex> & vertices);
+  AddRays(std::uint64_t first, const std::vector<itk::MedialVoxelIsosurfaceVertex> & vertices);
 
   PartOptions                      m_Options;
   VolumeHeader                     m_Header;
@@ -105,9 +106,8 @@ private:
   std::vector<float>               m_Before;         ///< thickness of the slice before it
   MeshSpool                        m_Spool;
   std::optional<VertexValues>      m_RayThickness;
+  std::mutex                       m_Mutex; ///< of the facts
   PartFacts                        m_Facts;
-  std::vector<MeshVertex>          m_Vertices; ///< for the spool
-  std::vector<MeshFace>            m_Faces;
 };
 
 } // end namespace medialvoxel
