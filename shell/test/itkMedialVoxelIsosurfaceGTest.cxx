@@ -26,20 +26,39 @@ class Collector : public itk::MedialVoxelIsosurfaceConsumer
 {
 public:
   void
-  AddVertices(const std::vector<itk::MedialVoxelIsosurfaceVertex> & vertices) override
+  AddVertices(const std::uint64_t first, const std::vector<itk::MedialVoxelIsosurfaceVertex> & vertices) override
   {
-    m_Vertices.insert(m_Vertices.end(), vertices.begin(), vertices.end());
+    Put(first, vertices, m_Vertices);
   }
 
   void
-  AddTriangles(const std::vector<itk::MedialVoxelIsosurfaceTriangle> & triangles) override
+  AddTriangles(const std::uint64_t first, const std::vector<itk::MedialVoxelIsosurfaceTriangle> & triangles) override
   {
-    m_Triangles.insert(m_Triangles.end(), triangles.begin(), triangles.end());
+    Put(first, triangles, m_Triangles);
   }
 
   std::vector<itk::MedialVoxelIsosurfaceVertex>   m_Vertices;
   std::vector<itk::MedialVoxelIsosurfaceTriangle> m_Triangles;
+
+private:
+  template <typename TRecord>
+  static void
+  Put(const std::uint64_t first, const std::vector<TRecord> & records, std::vector<TRecord> & all)
+  {
+    all.resize(std::max<std::size_t>(all.size(), first + records.size()));
+    std::copy(records.begin(), records.end(), all.begin() + static_cast<std::ptrdiff_t>(first));
+  }
 };
+
+/** The last task first. */
+void
+RunBackwards(const std::size_t count, const std::function<void(std::size_t number)> & task)
+{
+  for (std::size_t number = count; number-- > 0;)
+  {
+    task(number);
+  }
+}
 
 /** The surface of voxels for which margin(x, y, z) is not negative. */
 template <typename TMargin>
@@ -48,7 +67,7 @@ Build(const Index & size, bool isClosed, const TMargin & margin)
 {
   Collector                  collector;
   itk::MedialVoxelMargins    margins(size, 2);
-  itk::MedialVoxelIsosurface surface(margins, isClosed, collector);
+  itk::MedialVoxelIsosurface surface(margins, isClosed, collector, RunBackwards);
   for (std::int64_t z = 0; z < size[2]; ++z)
   {
     itk::MedialVoxelBits bits({ { 0, 0, z }, { size[0], size[1], z + 1 } });

@@ -181,7 +181,11 @@ MedialVoxelObjectInput::Prepare(const Observer & observer)
   }
   if (walls)
   {
-    m_NeededMaximum = walls->FindNeededMaximum([&observer] { observer(1.0); });
+    const auto run = [&](const unsigned int count, const auto & work) {
+      const std::vector<MedialVoxelBox> each(count, m_Image);
+      source.ForEach({ each.data(), each.data() + count }, count, [&work](const auto &) { work(); });
+    };
+    m_NeededMaximum = walls->FindNeededMaximum(run, [&observer] { observer(1.0); });
   }
 }
 

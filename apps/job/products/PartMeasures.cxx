@@ -52,6 +52,12 @@ public:
     }
   }
 
+  void
+  Add(const AreaByThickness & other)
+  {
+    m_Histogram.Add(other.m_Histogram);
+  }
+
   const LengthHistogram &
   GetHistogram() const
   {
@@ -75,28 +81,52 @@ private:
   LengthHistogram m_Histogram;
 };
 
-} // namespace
+/** Faces that a thread measures. */
+constexpr std::uint64_t FacesAtATime = std::uint64_t{ 1 } << 15;
 
-Json
-MeasurePart(const MeshSpool &                   surface,
-            const VertexValues *                rays,
-            const VolumeGeometry &              geometry,
-            const PartFacts &                   facts,
-            const std::function<void(double)> & progress)
+/** Of some faces. */
+struct Measures
 {
-  MeshReader reader(surface, progress);
-  reader.SetNumberOfPasses(0, 1);
+  explicit Measures(const VolumeGeometry & geometry)
+    : thickness(geometry)
+    , rayThickness(geometry)
+  {}
+
+  void
+  Add(const Measures & other)
+  {
+    thickness.Add(other.thickness);
+    rayThickness.Add(other.rayThickness);
+    wholeArea += other.wholeArea;
+    capArea += other.capArea;
+    volume += other.volume;
+  }
+
+  AreaByThickness thickness;
+  AreaByThickness rayThickness;
+  double          wholeArea{ 0.0 };
+  double          capArea{ 0.0 };
+  double          volume{ 0.0 };
+};
+
+Measures
+MeasureFaces(const MeshSpool &      surface,
+             const std::uint64_t    first,
+             const std::uint64_t    count,
+             const VertexValues *   rays,
+             const VolumeGeometry & geometry)
+{
+  MeshReader          reader(surface, {});
   RecordBlocks<float> lengths(surface.GetNumberOfVertices(),
-                              [rays](std::uint64_t first, std::uint64_t count, std::vector<float> & numbers) {
-                                rays->Read(first, count, numbers);
+                              [rays](std::uint64_t begin, std::uint64_t number, std::vector<float> & numbers) {
+                                rays->Read(begin, number, numbers);
                               });
-  const Point         reference{ geometry.origin[0], geometry.origin[1], geometry.origin[2] };
-  AreaByThickness     thickness(geometry);
-  AreaByThickness     rayThickness(geometry);
-  double              wholeArea = 0.0;
-  double              capArea = 0.0;
-  double              volume = 0.0;
-  reader.ForEachFace([&](std::uint64_t, const MeshFace & face) {
+  const Point           reference{ geometry.origin[0], geometry.origin[1], geometry.origin[2] };
+  std::vector<MeshFace> faces;
+  Measures              measures(geometry);
+  surface.ReadFaces(first, count, faces);
+  for (const MeshFace & face : faces)
+  {
     std::array<Point, 3> corners{};
     std::array<float, 3> values{};
     for (std::size_t i = 0; i < 3; ++i)
@@ -108,19 +138,53 @@ MeasurePart(const MeshSpool &                   surface,
     const Point  normal = itk::MedialVoxelCross(itk::MedialVoxelSubtract(corners[1], corners[0]),
                                                itk::MedialVoxelSubtract(corners[2], corners[0]));
     const double area = 0.5 * itk::MedialVoxelNorm(normal);
-    wholeArea += area;
-    capArea += face.isCap ? area : 0.0;
-    volume += itk::MedialVoxelDot(corners[0], normal) / 6.0;
+    measures.wholeArea += area;
+    measures.capArea += face.isCap ? area : 0.0;
+    measures.volume += itk::MedialVoxelDot(corners[0], normal) / 6.0;
     for (std::size_t i = 0; i < 3 && !face.isCap; ++i)
     {
-      thickness.Add(values[i], area / 3.0);
+      measures.thickness.Add(values[i], area / 3.0);
       if (rays != nullptr)
       {
-        rayThickness.Add(lengths.Get(face.vertices[i]), area / 3.0);
+        measures.rayThickness.Add(lengths.Get(face.vertices[i]), area / 3.0);
       }
     }
-  });
-  const LengthHistogram & histogram = thickness.GetHistogram();
+  }
+  return measures;
+}
+
+/** Sums of whole groups of faces in their order, which threads do not change. */
+Measures
+MeasureFaces(const MeshSpool &                   surface,
+             const VertexValues *                rays,
+             const VolumeGeometry &              geometry,
+             const std::function<void(double)> & progress)
+{
+  const std::uint64_t faces = surface.GetNumberOfFaces();
+  Measures            sum(geometry);
+  OrderedWork<Measures>::Run(
+    (faces + FacesAtATime - 1) / FacesAtATime,
+    itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads(),
+    [&](std::uint64_t group, const std::function<void()> &) {
+      const std::uint64_t first = group * FacesAtATime;
+      return MeasureFaces(surface, first, std::min(FacesAtATime, faces - first), rays, geometry);
+    },
+    [&](std::uint64_t, Measures && measures) { sum.Add(measures); },
+    [&progress] { progress(0.0); });
+  return sum;
+}
+
+} // namespace
+
+Json
+MeasurePart(const MeshSpool &                   surface,
+            const VertexValues *                rays,
+            const VolumeGeometry &              geometry,
+            const PartFacts &                   facts,
+            const std::function<void(double)> & progress)
+{
+  const Measures measures = MeasureFaces(surface, rays, geometry, progress);
+  const LengthHistogram & histogram = measures.thickness.GetHistogram();
   Json                    colors;
   if (histogram.GetTotal() > 0)
   {
@@ -129,7 +193,7 @@ MeasurePart(const MeshSpool &                   surface,
   Json rayJson;
   if (rays != nullptr)
   {
-    rayJson = rayThickness.Summarize(facts.unansweredRays.GetTotal());
+    rayJson = measures.rayThickness.Summarize(facts.unansweredRays.GetTotal());
     rayJson["unanswered"] = { { "leave_volume", facts.unansweredRays.leaveVolume },
                               { "too_long", facts.unansweredRays.tooLong },
                               { "unknown", facts.unansweredRays.unknown } };
@@ -137,11 +201,11 @@ MeasurePart(const MeshSpool &                   surface,
   return { { "vertices", surface.GetNumberOfVertices() },
            { "triangles", surface.GetNumberOfTriangles() },
            { "placed_by", facts.usesGrayValues ? "values" : "object" },
-           { "area", wholeArea },
-           { "cap_area", capArea },
-           { "volume", facts.isOpen ? Json(nullptr) : Json(volume) },
+           { "area", measures.wholeArea },
+           { "cap_area", measures.capArea },
+           { "volume", facts.isOpen ? Json(nullptr) : Json(measures.volume) },
            { "color_range", colors },
-           { "thickness", thickness.Summarize(facts.unknownVertices) },
+           { "thickness", measures.thickness.Summarize(facts.unknownVertices) },
            { "ray_thickness", rayJson } };
 }
 
