@@ -165,24 +165,26 @@ def options(document):
 
 
 def threads(document):
-    def bound(paper):
-        busy = sum(paper["work_cpu_seconds"].values()) / paper["seconds"]
-        return f"{paper['speed_up']:.1f} / {busy:.1f}"
+    def largest(result, key):
+        name, seconds = next(iter(result[key].items()))
+        return f"{name} {seconds:.2f}"
 
-    rows = []
-    for kind, volume in document["volumes"].items():
-        paper, measured = volume["on_paper"], volume["measured"]
-        rows.append([
-            kind,
-            print_table.size_of(volume),
-            bound(paper["16"]),
-            bound(paper["64"]),
-            ", ".join(f"{paper[n]['seconds']:.2f}" for n in ("1", "2")),
-            ", ".join(f"{measured[n]['wall_seconds']:.2f}" for n in ("1", "2")),
-            f"{measured['2']['thread_efficiency']:.3f}",
-        ])  # fmt: skip
-    header = ["part", "voxels", "16 threads, on paper: times as fast / at work", "64 threads",
-              "seconds with 1 and 2 threads: on paper", "measured", "2 threads: share of time at work"]  # fmt: skip
+    rows = [
+        [
+            f"{volume}: {task}",
+            f"{results['1']['seconds']:.2f}",
+            f"{results['16']['seconds']:.2f}",
+            f"{results['16']['speed_up']:.1f}",
+            f"{results['16']['work_cpu_seconds'] / results['16']['seconds']:.1f}",
+            f"{sum(results['16']['serial_seconds'].values()):.2f}",
+            largest(results["16"], "serial_seconds"),
+            largest(results["16"], "idle_seconds"),
+        ]
+        for volume, tasks in document["volumes"].items()
+        for task, results in tasks.items()
+    ]
+    header = ["task", "seconds with 1 thread", "with 16", "times as fast", "threads at work", "seconds with one at work",
+              "most of them", "what cores wait for most"]  # fmt: skip
     return header, rows
 
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-// medialvoxel-try-cores: threads whose times are known, for the test of medialvoxel-cores. Prints the seconds by the clock
-// of the program; each piece of work takes so much processor time.
+// medialvoxel-try-cores: threads whose times are known, for the test of medialvoxel-cores. Prints the seconds by the
+// clock of the program; each piece of work takes so much processor time.
 
 #include <chrono>
 #include <condition_variable>

@@ -171,8 +171,8 @@ MedialVoxelIsosurface::FindCrossings(const unsigned int axis, Part & part)
   const MedialVoxelBits & lower = m_Slices[axis == 2 ? 0 : 1].object;
   auto &                  vertices = part.vertices[axis];
   vertices.clear();
-  const std::int64_t      z = m_Z + (axis == 2 ? 0 : 1);
-  const auto              isWanted = [&](const MedialVoxelIndex & voxel) {
+  const std::int64_t z = m_Z + (axis == 2 ? 0 : 1);
+  const auto         isWanted = [&](const MedialVoxelIndex & voxel) {
     const std::int64_t upper = (axis == 2 ? z : voxel[axis]) + 1;
     return m_IsClosed || (this->IsInside(0, voxel[0]) && this->IsInside(1, voxel[1]) && this->IsInside(2, z) &&
                           this->IsInside(axis, upper));
@@ -269,10 +269,7 @@ MedialVoxelIsosurface::AddCells(Part & part) const
 }
 
 void
-MedialVoxelIsosurface::AddCell(const MedialVoxelIndex & cell,
-                               unsigned int             objectCorners,
-                               bool                     isCap,
-                               Part &                   part) const
+MedialVoxelIsosurface::AddCell(const MedialVoxelIndex & cell, unsigned int objectCorners, bool isCap, Part & part) const
 {
   using Table = MedialVoxelIsosurfaceTable;
   const auto numberOf = [&](unsigned int edge) {

@@ -279,10 +279,9 @@ MedialVoxelThickWalls::FindNeededMaximum(const RunWorks & run, const std::functi
   // Edges are rounded by half a coarse voxel.
   constexpr double binsPerStep = 4.0;
   const double     binWidth = step / binsPerStep;
-  WallAreas        walls(
-    binWidth, static_cast<std::size_t>((most + step / 2.0) / binWidth), step * step, run, checkAbort);
-  const auto       sums = MedialVoxelEngine(m_Grid, engine).Run(m_Grid.GetVoxelBox(), *this, walls);
-  double           voxel = 1.0;
+  WallAreas  walls(binWidth, static_cast<std::size_t>((most + step / 2.0) / binWidth), step * step, run, checkAbort);
+  const auto sums = MedialVoxelEngine(m_Grid, engine).Run(m_Grid.GetVoxelBox(), *this, walls);
+  double     voxel = 1.0;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     voxel *= m_Grid.IsActive(axis) ? m_Grid.GetSpacing()[axis] : 1.0;

@@ -20,24 +20,10 @@ namespace
 
 constexpr double TowardsNeighbors = 0.6;
 
-/** Vertices of a part that is handed on, and such parts that are made together. */
-constexpr std::uint32_t VerticesOfPart = 1u << 13;
-constexpr std::size_t   PartsAtATime = MedialVoxelSurfaceBuilder::VerticesOfBatch / VerticesOfPart;
-
 /** Vertices of a slice up to which its memory is kept for the next one. */
 constexpr std::size_t MostSpareVertices = std::size_t{ 1 } << 16;
 
-/** That no plane with rational coefficients holds. */
-constexpr std::array<double, 3> FrontDirection{ { 1.0, 1.4142135623730951, 1.7320508075688772 } };
-
 using Vector = MedialVoxelVector3;
-
-double
-AreaOfTriangle(const Vector & a, const Vector & b, const Vector & c)
-{
-  const Vector normal = MedialVoxelCross(MedialVoxelSubtract(b, a), MedialVoxelSubtract(c, a));
-  return 0.5 * MedialVoxelNorm(normal);
-}
 
 /** Order of the cells of a slice; one more along y is 2^32 more. */
 std::int64_t
@@ -227,7 +213,8 @@ MedialVoxelSurfaceBuilder::DoBatch()
 {
   const Range newSlices{ m_Slices.size() - m_NumberOfWaiting, m_Slices.size() };
   const auto  before = [&](const std::size_t number) {
-    return Range{ newSlices.begin - std::min(newSlices.begin, number), newSlices.end - std::min(newSlices.end, number) };
+    return Range{ newSlices.begin - std::min(newSlices.begin, number),
+                  newSlices.end - std::min(newSlices.end, number) };
   };
   this->ForEachSlice({ before(1).begin, newSlices.end }, [&](const std::size_t at) { this->Join(at, newSlices); });
   for (unsigned int step = 1; step <= NumberOfSteps; ++step)
@@ -285,9 +272,10 @@ MedialVoxelSurfaceBuilder::Join(const std::size_t at, const Range & newSlices)
     slice.neighbors.resize(slice.cells.size());
     slice.previous.resize(slice.cells.size());
     slice.offsets.resize(slice.cells.size());
-    std::transform(slice.cells.begin(), slice.cells.end(), slice.offsets.begin(), [](const MedialVoxelSurfaceCell & cell) {
-      return cell.offset;
-    });
+    std::transform(slice.cells.begin(),
+                   slice.cells.end(),
+                   slice.offsets.begin(),
+                   [](const MedialVoxelSurfaceCell & cell) { return cell.offset; });
     for (unsigned int direction = 0; direction < 4; ++direction)
     {
       Link(slice, slice.cells, direction);
@@ -304,14 +292,14 @@ MedialVoxelSurfaceBuilder::Join(const std::size_t at, const Range & newSlices)
   }
 }
 
-/** Move the vertices of a slice one step on, to its previous places. The slice after it is one step behind the result; the
- * one before it takes the step, too, or has taken it. */
+/** Move the vertices of a slice one step on, to its previous places. The slice after it is one step behind the result;
+ * the one before it takes the step, too, or has taken it. */
 void
 MedialVoxelSurfaceBuilder::Smooth(const std::size_t at, const Range & slicesOfStep)
 {
   Slice &         slice = m_Slices[at];
   const Offsets & own = slice.offsets;
-  const Offsets & before = at == 0                             ? own
+  const Offsets & before = at == 0                         ? own
                            : slicesOfStep.Contains(at - 1) ? m_Slices[at - 1].offsets
                                                            : m_Slices[at - 1].previous;
   const Offsets & after = m_Slices[at + 1].offsets;
@@ -370,127 +358,6 @@ MedialVoxelSurfaceBuilder::PlacePoints(const std::size_t at)
   {
     slice.points[i] = this->PointOf(slice, i);
   }
-}
-
-/** A slice along a wall has many cells, whose results need not be in memory at the same time. */
-void
-MedialVoxelSurfaceBuilder::HandOn(const Range & slices)
-{
-  std::vector<Part> parts;
-  for (std::size_t at = slices.begin; at < slices.end; ++at)
-  {
-    const auto & cells = m_Slices[at].cells;
-    const auto   number = static_cast<std::uint32_t>(cells.size());
-    for (std::uint32_t begin = 0, end = 0; begin < number; begin = end)
-    {
-      end = std::min(begin + VerticesOfPart, number);
-      while (end < number && KeyOf(cells[end]) == KeyOf(cells[end - 1]))
-      {
-        ++end;
-      }
-      parts.push_back({ at, begin, end });
-      if (parts.size() == PartsAtATime)
-      {
-        this->HandOn(parts);
-      }
-    }
-  }
-  this->HandOn(parts);
-}
-
-void
-MedialVoxelSurfaceBuilder::HandOn(std::vector<Part> & parts)
-{
-  m_RunTasks(parts.size(), [&](const std::size_t number) { this->Make(parts[number]); });
-  for (const Part & part : parts)
-  {
-    MedialVoxelCheckAbort();
-    m_Consumer.AddVertices(part.vertices);
-    m_Consumer.AddQuads(part.quads);
-  }
-  parts.clear();
-}
-
-/** The faces of the vertices of a cell follow each other by axes. */
-void
-MedialVoxelSurfaceBuilder::Make(Part & part) const
-{
-  const Slice & slice = m_Slices[part.slice];
-  const auto &  cells = slice.cells;
-  part.vertices.reserve(part.end - part.begin);
-  part.quads.reserve(part.end - part.begin);
-  for (std::uint32_t begin = part.begin, end = begin; begin < part.end; begin = end)
-  {
-    unsigned int quads = 0;
-    for (; end < part.end && KeyOf(cells[end]) == KeyOf(cells[begin]); ++end)
-    {
-      part.vertices.push_back({ slice.points[end], static_cast<double>(cells[end].thickness), cells[end].part });
-      quads |= cells[end].quads;
-    }
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      const unsigned int edge = Topology::EdgeOf(axis, 0, 0);
-      for (std::uint32_t cell = begin; (quads >> edge & 1) != 0 && cell < end; ++cell)
-      {
-        if ((cells[cell].quads >> edge & 1) != 0)
-        {
-          part.quads.push_back(this->MakeQuad(part.slice, cell, axis));
-        }
-      }
-    }
-  }
-}
-
-MedialVoxelSurfaceQuad
-MedialVoxelSurfaceBuilder::MakeQuad(const std::size_t at, const std::uint32_t cell, const unsigned int axis) const
-{
-  const auto lowerOf = [&](const Corner & from, const unsigned int along, const unsigned int edge) -> Corner {
-    return { along == 2 ? &m_Slices[at - 1] : from.slice, NeighborOf(*from.slice, from.cell, 2 * along, edge) };
-  };
-  const auto countBetween = [](const Corner & from, const Corner & to, const unsigned int along) {
-    return Topology::QuadsBetween(from.GetCell().quads, to.GetCell().quads, 2 * along);
-  };
-  const unsigned int next = (axis + 1) % 3;
-  const unsigned int afterNext = (axis + 2) % 3;
-  // Numbers of the voxel edge in the cells.
-  const unsigned int inUpper = Topology::EdgeOf(axis, 0, 0);
-  const unsigned int inAlongNext = Topology::EdgeOf(axis, 0, 1);
-  const Corner       upper{ &m_Slices[at], cell };
-  const Corner       alongNext = lowerOf(upper, afterNext, inUpper);
-  const Corner       alongAfterNext = lowerOf(upper, next, inUpper);
-  const Corner       corners[4] = { lowerOf(alongNext, next, inAlongNext), alongNext, upper, alongAfterNext };
-  const unsigned int meeting[4] = { countBetween(corners[1], corners[0], next),
-                                    countBetween(corners[2], corners[1], afterNext),
-                                    countBetween(corners[2], corners[3], next),
-                                    countBetween(corners[3], corners[0], afterNext) };
-  const Vector       points[4] = {
-    corners[0].GetPoint(), corners[1].GetPoint(), corners[2].GetPoint(), corners[3].GetPoint()
-  };
-
-  const Vector           diagonal02 = MedialVoxelSubtract(points[2], points[0]);
-  const Vector           diagonal13 = MedialVoxelSubtract(points[3], points[1]);
-  const bool             isReversed = MedialVoxelDot(MedialVoxelCross(diagonal02, diagonal13), FrontDirection) < 0.0;
-  MedialVoxelSurfaceQuad quad;
-  for (unsigned int side = 0; side < 4; ++side)
-  {
-    const Corner &     corner = corners[isReversed ? (4 - side) % 4 : side];
-    const unsigned int number = meeting[isReversed ? 3 - side : side];
-    quad.vertices[side] = corner.slice->firstVertex + corner.cell;
-    quad.rimSides = static_cast<std::uint8_t>(quad.rimSides | (number == 1 ? 1u << side : 0u));
-    quad.junctionSides = static_cast<std::uint8_t>(quad.junctionSides | (number > 2 ? 1u << side : 0u));
-  }
-  quad.isSplitAlong13 = MedialVoxelDot(diagonal13, diagonal13) < MedialVoxelDot(diagonal02, diagonal02);
-  for (unsigned int half = 0; half < 2; ++half)
-  {
-    Vector triangle[3];
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      const unsigned int side = quad.GetTriangle(half)[i];
-      triangle[i] = points[isReversed ? (4 - side) % 4 : side];
-    }
-    quad.areas[half] = AreaOfTriangle(triangle[0], triangle[1], triangle[2]);
-  }
-  return quad;
 }
 
 /** The physical point of a vertex. */

@@ -24,8 +24,9 @@ namespace itk
  * Vertices are numbered in the order of their cells (z, y, x) and of their lowest edges, quadrilaterals follow in the
  * order of the lower voxels of their edges and of the axes. In each of five steps a vertex moves 0.6 of the distance to
  * the mean of MedialVoxelSurfaceTopology::NeighborsToFollow(), then 0.15 of the distance to the plane midway between
- * its walls, or by the weight that is set. A step at a slice needs the step before at the two slices beside it, so half a
- * dozen slices are in memory beside those of a batch, and neither batches nor the division into pieces have an influence.
+ * its walls, or by the weight that is set. A step at a slice needs the step before at the two slices beside it, so half
+ * a dozen slices are in memory beside those of a batch, and neither batches nor the division into pieces have an
+ * influence.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelSurfaceBuilder

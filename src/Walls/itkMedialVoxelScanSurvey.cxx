@@ -6,6 +6,7 @@
 #include "itkMedialVoxelGrayLocal.h"
 #include "itkMedialVoxelGrayNormals.h"
 #include "itkMedialVoxelProgress.h"
+#include "itkMedialVoxelScanBlocks.h"
 #include "itkMedialVoxelScanSamples.h"
 #include "itkMedialVoxelText.h"
 #include "itkMedialVoxelWallFit.h"
@@ -26,15 +27,8 @@ using Box = MedialVoxelBox;
 using Vector = MedialVoxelVector3;
 using Samples = MedialVoxelScanSamples;
 
-/** Blocks are flat, since volumes may come by whole slices. */
-constexpr std::int64_t BlockSize[3] = { 256, 256, 16 };
-
-/** Blocks that are looked at, until the samples are enough. */
-constexpr std::size_t MostBlocks = 480;
+/** Blocks that are looked at before it is known whether the samples are enough. */
 constexpr std::size_t BlocksPerRound = 24;
-
-/** Rows of a slice of a block that one thread looks at. */
-constexpr std::int64_t RowsOfPart = 32;
 
 /** Voxels around an object voxel in which there is background of it, without and with the blur of the object. */
 constexpr std::int64_t FarFromObject = 3;
@@ -394,60 +388,6 @@ private:
   MedialVoxelAbortChecker       m_Checker;
 };
 
-/** The block that a voxel is in. */
-Box
-GetBlock(const Index & voxel)
-{
-  Box block;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    block.lower[axis] = voxel[axis] / BlockSize[axis] * BlockSize[axis];
-    block.upper[axis] = block.lower[axis] + BlockSize[axis];
-  }
-  return block;
-}
-
-/** More parts than threads, so that none waits long for the last one of another. */
-std::vector<Box>
-CutBlocks(const std::vector<Box> & blocks)
-{
-  std::vector<Box> parts;
-  for (const Box & block : blocks)
-  {
-    for (Box part = block; part.lower[1] < block.upper[1]; part.lower[1] = part.upper[1])
-    {
-      part.upper[1] = std::min(part.lower[1] + RowsOfPart, block.upper[1]);
-      parts.push_back(part);
-    }
-  }
-  return parts;
-}
-
-/** All of a small image, otherwise some, in the order of their hashes. */
-std::vector<Box>
-ChooseBlocks(const Box & image)
-{
-  std::int64_t blocks[3];
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    blocks[axis] = (image.Extent(axis) + BlockSize[axis] - 1) / BlockSize[axis];
-  }
-  MedialVoxelRandomSample<Box> chosen(MostBlocks);
-  std::uint64_t                number = 0;
-  for (std::int64_t z = 0; z < blocks[2]; ++z)
-  {
-    for (std::int64_t y = 0; y < blocks[1]; ++y)
-    {
-      for (std::int64_t x = 0; x < blocks[0]; ++x)
-      {
-        const Box block = GetBlock({ { x * BlockSize[0], y * BlockSize[1], z * BlockSize[2] } });
-        chosen.Add(MedialVoxelHash(number++), block.Intersection(image));
-      }
-    }
-  }
-  return chosen.Take();
-}
-
 } // namespace
 
 std::string
@@ -487,17 +427,17 @@ auto
 MedialVoxelScanSurvey::Run(const Source & source) const -> Result
 {
   const Box                   image = m_Grid.GetVoxelBox();
-  const Boxes                 blocks = ChooseBlocks(image);
+  const Boxes                 blocks = MedialVoxelChooseScanBlocks(image);
   const std::vector<Neighbor> neighbors = ListNeighbors(m_Grid);
   Samples                     samples;
   std::mutex                  mutex;
   double                      done = 0.0;
-  const double                all = std::accumulate(blocks.begin(), blocks.end(), 0.0, [](double sum, const Box & block) {
+  const double all = std::accumulate(blocks.begin(), blocks.end(), 0.0, [](double sum, const Box & block) {
     return sum + static_cast<double>(block.NumberOfVoxels());
   });
   source.observe(0.0);
   const auto take = [&](const Box & part) {
-    const Box       block = GetBlock(part.lower).Intersection(image);
+    const Box       block = MedialVoxelGetScanBlock(part.lower).Intersection(image);
     const Box       box = part.Expanded({ { Margin, Margin, Margin } }).Intersection(image);
     MedialVoxelBits object;
     MedialVoxelGray gray;
@@ -523,7 +463,7 @@ MedialVoxelScanSurvey::Run(const Source & source) const -> Result
   for (std::size_t begin = 0; begin < blocks.size() && !samples.AreEnough(); begin += BlocksPerRound)
   {
     const std::size_t end = std::min(begin + BlocksPerRound, blocks.size());
-    source.forEach(CutBlocks(Boxes(blocks.data() + begin, blocks.data() + end)), take);
+    source.forEach(MedialVoxelCutScanBlocks(Boxes(blocks.data() + begin, blocks.data() + end)), take);
   }
   return MedialVoxelSummarizeScan(samples, m_Grid.GetNumberOfActiveAxes(), m_Threshold, m_Levels);
 }

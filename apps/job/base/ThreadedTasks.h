@@ -14,12 +14,13 @@
 namespace medialvoxel
 {
 
-/** Calls task(number) for the numbers below \a count, in all threads of the plan or in so many at most. Each thread takes
- * the next number when it is free, since some tasks take much longer than others. \throw the last error of a task */
+/** Calls task(number) for the numbers below \a count, in all threads of the plan or in so many at most. Each thread
+ * takes the next number when it is free, since some tasks take much longer than others. \throw the last error of a task
+ */
 inline void
-RunInThreads(const std::size_t                       count,
+RunInThreads(const std::size_t                        count,
              const std::function<void(std::size_t)> & task,
-             const std::size_t                       mostThreads = std::size_t{ 1 } << 16)
+             const std::size_t                        mostThreads = std::size_t{ 1 } << 16)
 {
   std::exception_ptr error;
   std::mutex         mutex;

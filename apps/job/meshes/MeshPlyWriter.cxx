@@ -63,7 +63,7 @@ WriteMeshPly(MeshReader & reader, const MeshWriteOptions & options, BufferedOutp
       {
         const std::int64_t label = options.objectLabels[vertex.object - 1];
         isInt32 ? buffer.LittleEndian(static_cast<std::int32_t>(label))
-                : buffer.LittleEndian(static_cast<double>(label));
+                       : buffer.LittleEndian(static_cast<double>(label));
       }
     }
   };

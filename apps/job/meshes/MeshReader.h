@@ -63,20 +63,21 @@ public:
   void
   WriteBlocks(std::uint64_t number, TMake && make, BufferedOutput & output)
   {
-    const auto countOf = [number](std::uint64_t block) { return std::min(WrittenAtATime, number - block * WrittenAtATime); };
-    OrderedWork<ByteBuffer>::Run(
-      (number + WrittenAtATime - 1) / WrittenAtATime,
-      itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads(),
-      [&](std::uint64_t block, const std::function<void()> &) {
-        ByteBuffer buffer;
-        make(block * WrittenAtATime, countOf(block), buffer);
-        return buffer;
-      },
-      [&](std::uint64_t block, ByteBuffer && buffer) {
-        output.Text(buffer.GetBytes());
-        this->AddDone(countOf(block));
-      },
-      [] {});
+    const auto countOf = [number](std::uint64_t block) {
+      return std::min(WrittenAtATime, number - block * WrittenAtATime);
+    };
+    OrderedWork<ByteBuffer>::Run((number + WrittenAtATime - 1) / WrittenAtATime,
+                                 itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads(),
+                                 [&](std::uint64_t block, const std::function<void()> &) {
+                                   ByteBuffer buffer;
+                                   make(block * WrittenAtATime, countOf(block), buffer);
+                                   return buffer;
+                                 },
+                                 [&](std::uint64_t block, ByteBuffer && buffer) {
+                                   output.Text(buffer.GetBytes());
+                                   this->AddDone(countOf(block));
+                                 },
+                                 [] {});
   }
 
   /** One vertex; fast when successive calls ask for neighbors, like the corners of successive faces. */

@@ -62,8 +62,8 @@ public:
   void
   AddFaces(const std::vector<MeshFace> & faces) override;
 
-  /** Vertices in any order, from any threads: a run from number \a first on. All numbers up to the largest must come, each
-   * once. */
+  /** Vertices in any order, from any threads: a run from number \a first on. All numbers up to the largest must come,
+   * each once. */
   void
   PutVertices(std::uint64_t first, const std::vector<Vertex> & vertices);
   void

@@ -48,7 +48,8 @@ std::uint64_t
 BytesOfBatch(const VolumeGeometry & geometry)
 {
   using Builder = itk::MedialVoxelSurfaceBuilder;
-  return std::min<std::uint64_t>(Builder::BytesOfBatch, geometry.GetNumberOfVoxels() / 8 * (Builder::BytesOfBatch / Builder::VerticesOfBatch));
+  return std::min<std::uint64_t>(Builder::BytesOfBatch,
+                                 geometry.GetNumberOfVoxels() / 8 * (Builder::BytesOfBatch / Builder::VerticesOfBatch));
 }
 
 itk::MedialVoxelGrid::SpacingType
@@ -263,8 +264,9 @@ SheetMesh::GetFootprint(const ExtractOptions &       options,
   const std::uint64_t vertices = GetPlannedVertices(geometry);
   ProductFootprint    footprint;
   footprint.beside = geometry.GetVoxelsPerSlice() / VoxelsPerCellInWork * CellInWorkSize +
-                     GetPendingCells(geometry) * PendingCellSize + BytesOfBatch(geometry) + WritingMemory + GetEdgeMemory(options, geometry) +
-                     (isRemeshed ? GetRemeshingMemory(1) : 0) + GetCleaningMemory(cleaning, vertices);
+                     GetPendingCells(geometry) * PendingCellSize + BytesOfBatch(geometry) + WritingMemory +
+                     GetEdgeMemory(options, geometry) + (isRemeshed ? GetRemeshingMemory(1) : 0) +
+                     GetCleaningMemory(cleaning, vertices);
   footprint.perVoxelOfTile = itk::MedialVoxelSurfaceObserver::GetBytesPerVoxel(grid, GetParameters(options, grid));
   footprint.surplus.most = MostPending;
   footprint.surplus.planned = 1; // a cell for each 64 voxels

@@ -116,8 +116,8 @@ MeasureFaces(const MeshSpool &      surface,
              const VertexValues *   rays,
              const VolumeGeometry & geometry)
 {
-  MeshReader          reader(surface, {});
-  RecordBlocks<float> lengths(surface.GetNumberOfVertices(),
+  MeshReader            reader(surface, {});
+  RecordBlocks<float>   lengths(surface.GetNumberOfVertices(),
                               [rays](std::uint64_t begin, std::uint64_t number, std::vector<float> & numbers) {
                                 rays->Read(begin, number, numbers);
                               });
@@ -162,15 +162,15 @@ MeasureFaces(const MeshSpool &                   surface,
 {
   const std::uint64_t faces = surface.GetNumberOfFaces();
   Measures            sum(geometry);
-  OrderedWork<Measures>::Run(
-    (faces + FacesAtATime - 1) / FacesAtATime,
-    itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads(),
-    [&](std::uint64_t group, const std::function<void()> &) {
-      const std::uint64_t first = group * FacesAtATime;
-      return MeasureFaces(surface, first, std::min(FacesAtATime, faces - first), rays, geometry);
-    },
-    [&](std::uint64_t, Measures && measures) { sum.Add(measures); },
-    [&progress] { progress(0.0); });
+  OrderedWork<Measures>::Run((faces + FacesAtATime - 1) / FacesAtATime,
+                             itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads(),
+                             [&](std::uint64_t group, const std::function<void()> &) {
+                               const std::uint64_t first = group * FacesAtATime;
+                               return MeasureFaces(
+                                 surface, first, std::min(FacesAtATime, faces - first), rays, geometry);
+                             },
+                             [&](std::uint64_t, Measures && measures) { sum.Add(measures); },
+                             [&progress] { progress(0.0); });
   return sum;
 }
 
@@ -183,7 +183,7 @@ MeasurePart(const MeshSpool &                   surface,
             const PartFacts &                   facts,
             const std::function<void(double)> & progress)
 {
-  const Measures measures = MeasureFaces(surface, rays, geometry, progress);
+  const Measures          measures = MeasureFaces(surface, rays, geometry, progress);
   const LengthHistogram & histogram = measures.thickness.GetHistogram();
   Json                    colors;
   if (histogram.GetTotal() > 0)

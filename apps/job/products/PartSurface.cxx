@@ -241,8 +241,7 @@ PartSurface::AddRays(const std::uint64_t first, const std::vector<itk::MedialVox
 }
 
 void
-PartSurface::AddTriangles(const std::uint64_t                                      first,
-                          const std::vector<itk::MedialVoxelIsosurfaceTriangle> & triangles)
+PartSurface::AddTriangles(const std::uint64_t first, const std::vector<itk::MedialVoxelIsosurfaceTriangle> & triangles)
 {
   if (triangles.empty())
   {
