@@ -175,7 +175,6 @@ def threads(document):
             f"{results['1']['seconds']:.2f}",
             f"{results['16']['seconds']:.2f}",
             f"{results['16']['speed_up']:.1f}",
-            f"{results['16']['work_cpu_seconds'] / results['16']['seconds']:.1f}",
             f"{sum(results['16']['serial_seconds'].values()):.2f}",
             largest(results["16"], "serial_seconds"),
             largest(results["16"], "idle_seconds"),
@@ -183,7 +182,7 @@ def threads(document):
         for volume, tasks in document["volumes"].items()
         for task, results in tasks.items()
     ]
-    header = ["task", "seconds with 1 thread", "with 16", "times as fast", "threads at work", "seconds with one at work",
+    header = ["task", "seconds with 1 thread", "with 16", "times as fast", "seconds with one at work",
               "most of them", "what cores wait for most"]  # fmt: skip
     return header, rows
 
