@@ -179,7 +179,7 @@ FillBlock(const Pass & pass, const std::int64_t block, const std::int64_t begin,
 }
 
 /** All rows of some columns: winners of the ends, then of the middle between two that are known, then the rest. */
-MEDIALVOXEL_FOR_PROCESSORS void
+MEDIALVOXEL_INLINE void
 SearchLanes(const Pass & pass)
 {
   const std::int64_t end = (pass.number + BlockSize - 1) / BlockSize;
@@ -229,7 +229,8 @@ MedialVoxelColumnPass::Search(const std::int32_t * const costs,
   MedialVoxelReserve(m_Highest, ends);
   for (std::int64_t lane = 0; lane < Columns; lane += Lanes)
   {
-    SearchLanes({ costs + lane, length, first, number, m_Lowest.data(), m_Highest.data(), result + lane });
+    MedialVoxelKernel<SearchLanes>::Run(
+      { costs + lane, length, first, number, m_Lowest.data(), m_Highest.data(), result + lane });
   }
 }
 

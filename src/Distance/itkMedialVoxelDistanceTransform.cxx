@@ -68,7 +68,7 @@ using Vector [[gnu::vector_size(Columns * sizeof(std::int16_t))]] = std::int16_t
 #endif
 
 /** Slices since the last site, for the columns of a slice; \a before is the result of the slice before. */
-MEDIALVOXEL_FOR_PROCESSORS void
+MEDIALVOXEL_INLINE void
 CountSlices(const WordType * const     sites,
             const int                  shift,
             const std::int64_t         rows,
@@ -105,11 +105,11 @@ CountSlices(const WordType * const     sites,
 }
 
 /** Squared distances along z; the smallest one. */
-MEDIALVOXEL_FOR_PROCESSORS std::int32_t
-                           MakeCosts(const std::int16_t * const below,
-                                     const std::int16_t * const above,
-                                     const std::int64_t         number,
-                                     std::int32_t * const       costs)
+MEDIALVOXEL_INLINE std::int32_t
+                   MakeCosts(const std::int16_t * const below,
+                             const std::int16_t * const above,
+                             const std::int64_t         number,
+                             std::int32_t * const       costs)
 {
   std::int32_t smallest = MedialVoxelSquaredLengths::None;
   for (std::int64_t i = 0; i < number; ++i)
@@ -122,8 +122,8 @@ MEDIALVOXEL_FOR_PROCESSORS std::int32_t
   return smallest;
 }
 
-MEDIALVOXEL_FOR_PROCESSORS std::int32_t
-                           FindLargest(const std::int32_t * const values, const std::int64_t number)
+MEDIALVOXEL_INLINE std::int32_t
+                   FindLargest(const std::int32_t * const values, const std::int64_t number)
 {
   std::int32_t largest = 0;
   for (std::int64_t i = 0; i < number; ++i)
@@ -280,7 +280,7 @@ MedialVoxelDistanceTransform::Search::SearchColumns(const std::int64_t x)
   }
   const auto step = [&](const std::int64_t slice, const std::int16_t * const before, std::int16_t * const next) {
     const auto shift = static_cast<int>(x % MedialVoxelBits::BitsPerWord);
-    CountSlices(m_Memory.m_Words.data() + slice * rows, shift, rows, before, next);
+    MedialVoxelKernel<CountSlices>::Run(m_Memory.m_Words.data() + slice * rows, shift, rows, before, next);
   };
   for (std::int64_t slice = 0; slice < slices; ++slice)
   {
@@ -290,7 +290,8 @@ MedialVoxelDistanceTransform::Search::SearchColumns(const std::int64_t x)
   for (std::int64_t slice = slices - 1; slice >= 0; --slice)
   {
     step(slice, above, above);
-    const std::int32_t   smallest = MakeCosts(below + (slice + 1) * number, above, number, m_Memory.m_Costs.data());
+    const std::int32_t smallest =
+      MedialVoxelKernel<MakeCosts>::Run(below + (slice + 1) * number, above, number, m_Memory.m_Costs.data());
     const std::int32_t * found = m_Memory.m_Costs.data() + first * Columns;
     if (smallest < MedialVoxelSquaredLengths::None)
     {
@@ -339,7 +340,7 @@ MedialVoxelDistanceTransform::Search::SearchRows(const std::int64_t y, const std
       lines[row][first + x] = found[x * Columns + row];
     }
   }
-  return FindLargest(found, number * Columns);
+  return MedialVoxelKernel<FindLargest>::Run(found, number * Columns);
 }
 
 MedialVoxelDistanceTransform::MedialVoxelDistanceTransform(const MedialVoxelGrid & grid)

@@ -21,35 +21,29 @@ constexpr std::int64_t FirstReach = 16;
 
 #if defined(__GNUC__)
 /** Doubles that are added and compared at once. Compilers would split a loop over them into single ones. */
-template <std::size_t VSize>
-struct Vector
-{
-  using Type [[gnu::vector_size(VSize)]] = double;
-};
+using Vector [[gnu::vector_size(VectorSize)]] = double;
 #endif
 
 /** Smallest of keys[j] + steps[j] for j in [begin, end). */
-template <std::size_t VSize>
 MEDIALVOXEL_INLINE double
-SmallestSum(const double * const keys, const double * const steps, std::int64_t begin, const std::int64_t end)
+FindSmallestSum(const double * const keys, const double * const steps, std::int64_t begin, const std::int64_t end)
 {
   double smallest = MedialVoxelSiteKey::NoSite;
 #if defined(__GNUC__)
-  using VectorType = typename Vector<VSize>::Type;
-  constexpr std::size_t  vectors = 64 / VSize;
+  constexpr std::size_t  vectors = 64 / VectorSize;
   constexpr std::int64_t lanes = 64 / sizeof(double);
   if (end - begin >= lanes)
   {
-    VectorType best[vectors];
-    std::fill(best, best + vectors, VectorType{} + smallest);
+    Vector best[vectors];
+    std::fill(best, best + vectors, Vector{} + smallest);
     for (; begin + lanes <= end; begin += lanes)
     {
       for (std::size_t i = 0; i < vectors; ++i)
       {
-        VectorType key;
-        VectorType step;
-        std::memcpy(&key, keys + begin + i * (VSize / sizeof(double)), VSize);
-        std::memcpy(&step, steps + begin + i * (VSize / sizeof(double)), VSize);
+        Vector key;
+        Vector step;
+        std::memcpy(&key, keys + begin + i * (VectorSize / sizeof(double)), VectorSize);
+        std::memcpy(&step, steps + begin + i * (VectorSize / sizeof(double)), VectorSize);
         key += step;
         best[i] = key < best[i] ? key : best[i];
       }
@@ -67,25 +61,23 @@ SmallestSum(const double * const keys, const double * const steps, std::int64_t 
 }
 
 /** Smallest of keys[j] + steps[lane - j] for j in [begin, end), for all lanes of a block. */
-template <std::size_t VSize>
 MEDIALVOXEL_INLINE void
-SmallestSums(const double * const keys,
-             const double * const steps,
-             const std::int64_t   begin,
-             const std::int64_t   end,
-             double * const       result)
+FindSmallestSums(const double * const keys,
+                 const double * const steps,
+                 const std::int64_t   begin,
+                 const std::int64_t   end,
+                 double * const       result)
 {
 #if defined(__GNUC__)
-  using VectorType = typename Vector<VSize>::Type;
-  constexpr std::size_t vectors = static_cast<std::size_t>(MedialVoxelRowPass::BlockSize) * sizeof(double) / VSize;
-  VectorType            best[vectors];
-  std::fill(best, best + vectors, VectorType{} + MedialVoxelSiteKey::NoSite);
+  constexpr std::size_t vectors = static_cast<std::size_t>(MedialVoxelRowPass::BlockSize) * sizeof(double) / VectorSize;
+  Vector                best[vectors];
+  std::fill(best, best + vectors, Vector{} + MedialVoxelSiteKey::NoSite);
   for (std::int64_t j = begin; j < end; ++j)
   {
     for (std::size_t i = 0; i < vectors; ++i)
     {
-      VectorType sum;
-      std::memcpy(&sum, steps - j + i * (VSize / sizeof(double)), VSize);
+      Vector sum;
+      std::memcpy(&sum, steps - j + i * (VectorSize / sizeof(double)), VectorSize);
       sum += keys[j];
       best[i] = sum < best[i] ? sum : best[i];
     }
@@ -101,22 +93,6 @@ SmallestSums(const double * const keys,
     }
   }
 #endif
-}
-
-MEDIALVOXEL_FOR_PROCESSORS double
-FindSmallestSum(const double * const keys, const double * const steps, const std::int64_t begin, const std::int64_t end)
-{
-  return SmallestSum<VectorSize>(keys, steps, begin, end);
-}
-
-MEDIALVOXEL_FOR_PROCESSORS void
-FindSmallestSums(const double * const keys,
-                 const double * const steps,
-                 const std::int64_t   begin,
-                 const std::int64_t   end,
-                 double * const       result)
-{
-  SmallestSums<VectorSize>(keys, steps, begin, end, result);
 }
 
 } // namespace
@@ -178,7 +154,7 @@ MedialVoxelRowPass::Search(const double * const       keys,
     const std::int64_t to = nextWinner >= 0 ? nextWinner : std::min(length - 1, last + reach);
     // Steps of the block's voxels stand next to each other when they are counted backwards.
     const double * const steps = m_BackwardSteps.data() + m_Longest + BlockSize + begin;
-    FindSmallestSums(keys, steps, from, to + 1, result + block * BlockSize);
+    MedialVoxelKernel<FindSmallestSums>::Run(keys, steps, from, to + 1, result + block * BlockSize);
     lowest = std::max(lowest, nextWinner);
     winner = nextWinner;
   }
@@ -196,7 +172,7 @@ MedialVoxelRowPass::FindWinner(const double * const keys,
     return center + (m_Axis == Axis::X ? MedialVoxelSiteKey::Decode(key).dx : MedialVoxelSiteKey::DecodeY(key));
   };
   const auto search = [&](const std::int64_t reach) {
-    return FindSmallestSum(
+    return MedialVoxelKernel<FindSmallestSum>::Run(
       keys, steps - center, std::max(lowest, center - reach), std::min(length, center + reach + 1));
   };
 

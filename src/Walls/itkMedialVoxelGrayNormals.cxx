@@ -132,7 +132,7 @@ GetWindowWeight(const double d)
 }
 
 /** The gradients of a block from its values and those around it, x fastest. */
-MEDIALVOXEL_FOR_PROCESSORS void
+MEDIALVOXEL_INLINE void
 FindGradients(const float * const values, float * const x, float * const y, float * const z)
 {
   // Smoothed along one axis, and along two.
@@ -162,7 +162,7 @@ struct Rows
 };
 
 /** Adds the products of gradients where they are inside the window. */
-MEDIALVOXEL_FOR_PROCESSORS void
+MEDIALVOXEL_INLINE void
 AddRows(const Rows & rows, const MedialVoxelIntegerLanes & isInside, RowSums & sums)
 {
   Lanes xx = sums[0];
@@ -233,7 +233,7 @@ struct MedialVoxelGrayNormals::Window
     {
       rows.gradients[axis] = block.gradient[axis].data() + first;
     }
-    AddRows(rows, isInside, sums);
+    MedialVoxelKernel<AddRows>::Run(rows, isInside, sums);
   }
 };
 
@@ -311,7 +311,8 @@ MedialVoxelGrayNormals::Compute(const MedialVoxelGray & gray, const MedialVoxelI
       value += Outer;
     }
   }
-  FindGradients(values.data(), block.gradient[0].data(), block.gradient[1].data(), block.gradient[2].data());
+  MedialVoxelKernel<FindGradients>::Run(
+    values.data(), block.gradient[0].data(), block.gradient[1].data(), block.gradient[2].data());
 }
 
 auto
