@@ -131,10 +131,19 @@ GetWindowWeight(const double d)
   return static_cast<float>(MedialVoxelNormalDistribution::Get().Density(d / WindowSigma));
 }
 
-/** The gradients of a block from its values and those around it, x fastest. */
+/** The gradients of a block from its values and those around it, x fastest, which get other levels first. */
 MEDIALVOXEL_INLINE void
-FindGradients(const float * const values, float * const x, float * const y, float * const z)
+FindGradients(float * const values,
+              const double  background,
+              const double  scale,
+              float * const x,
+              float * const y,
+              float * const z)
 {
+  for (std::size_t i = 0; i < Outer * Outer * Outer; ++i)
+  {
+    values[i] = static_cast<float>((static_cast<double>(values[i]) - background) * scale);
+  }
   // Smoothed along one axis, and along two.
   std::array<float, Inner * Outer * Outer> once;
   std::array<float, Inner * Inner * Outer> twice;
@@ -304,15 +313,11 @@ MedialVoxelGrayNormals::Compute(const MedialVoxelGray & gray, const MedialVoxelI
       {
         value[x] = isInside ? row[firstX + static_cast<std::int64_t>(x)] : row[places[x][0] - beginX];
       }
-      for (std::size_t x = 0; x < Outer; ++x)
-      {
-        value[x] = static_cast<float>((static_cast<double>(value[x]) - m_Background) * m_Scale);
-      }
       value += Outer;
     }
   }
   MedialVoxelKernel<FindGradients>::Run(
-    values.data(), block.gradient[0].data(), block.gradient[1].data(), block.gradient[2].data());
+    values.data(), m_Background, m_Scale, block.gradient[0].data(), block.gradient[1].data(), block.gradient[2].data());
 }
 
 auto
