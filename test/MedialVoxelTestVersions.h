@@ -11,6 +11,8 @@
 #include "itkMedialVoxelRowPass.h"
 #include "itkMedialVoxelSquaredLengths.h"
 
+#include "MedialVoxelTestKernels.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,6 +49,16 @@ public:
 private:
   std::vector<unsigned char> m_Bytes;
 };
+
+/** Of a record. */
+template <typename TRecord>
+Bytes
+BytesOf(const TRecord & record)
+{
+  Bytes bytes;
+  record(bytes);
+  return bytes;
+}
 
 /** Equal bytes, and more than a few. */
 inline ::testing::AssertionResult
@@ -182,6 +194,27 @@ RecordRows(Bytes & bytes)
     pass.SetLongestRow(length);
     pass.Search(keys.data(), length, 0, blocks, needed.data(), result.data());
     bytes.Add(result);
+  }
+}
+
+/** Squared distances of all voxels of random volumes. */
+template <typename TTransform>
+void
+RecordDistances(Bytes & bytes)
+{
+  for (unsigned int seed = 1; seed <= 3; ++seed)
+  {
+    const Volume                   volume = RandomBoxes({ { 70, 41, 37 } }, UnitSpacing, 25, seed);
+    const auto                     image = GridOf(volume).GetVoxelBox();
+    typename TTransform::Workspace workspace;
+    itk::MedialVoxelSquaredLengths lengths;
+    const auto                     sites = SiteBits(BoundarySites(volume, BoundarySide::Object), image);
+    ASSERT_TRUE(TTransform(GridOf(volume)).Compute(sites, image, workspace, lengths).IsEmpty());
+    for (std::int64_t row = 0; row < image.Extent(1) * image.Extent(2); ++row)
+    {
+      const itk::MedialVoxelIndex first{ { 0, row % image.Extent(1), row / image.Extent(1) } };
+      bytes.Add(lengths.values.data() + lengths.box.OffsetOf(first), static_cast<std::size_t>(image.Extent(0)));
+    }
   }
 }
 } // namespace MedialVoxelTest

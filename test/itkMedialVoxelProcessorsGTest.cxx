@@ -8,6 +8,7 @@
 #include "itkLocalThicknessImageFilter.h"
 #include "itkMedialSurfaceMeshFilter.h"
 #include "itkMedialVoxelColumnPass.h"
+#include "itkMedialVoxelDistanceTransform.h"
 #include "itkMedialVoxelFitSums.h"
 #include "itkMedialVoxelGrayNormals.h"
 #include "itkMedialVoxelLengthRow.h"
@@ -51,10 +52,7 @@ protected:
   {
     EXPECT_TRUE(Processors::SetVersion(version));
     EXPECT_EQ(Processors::GetVersion(), version);
-    Bytes bytes;
-    record(bytes);
-    EXPECT_EQ(Processors::GetVersion(), version);
-    return bytes;
+    return BytesOf(record);
   }
 
   static void
@@ -194,6 +192,7 @@ TEST_F(MedialVoxelProcessors, DistancesHaveTheSameBytes)
 {
   ExpectSame(RecordColumns<itk::MedialVoxelColumnPass>);
   ExpectSame(RecordRows<itk::MedialVoxelRowPass>);
+  ExpectSame(RecordDistances<itk::MedialVoxelDistanceTransform>);
   ExpectSame(RecordLengths);
 }
 

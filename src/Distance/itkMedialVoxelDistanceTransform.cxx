@@ -3,7 +3,7 @@
 #include "itkMedialVoxelDistanceTransform.h"
 
 #include "itkMedialVoxelFirstSites.h"
-#include "itkMedialVoxelProcessors.h"
+#include "itkMedialVoxelLanes.h"
 #include "itkMedialVoxelProgress.h"
 #include "itkMedialVoxelReserve.h"
 
@@ -62,10 +62,8 @@ StepsToUnknown(const MedialVoxelGrid & grid, const MedialVoxelBox & known, const
   return steps;
 }
 
-#if defined(__GNUC__)
-/** Columns that are counted at once. Compilers would split a loop over them into single ones. */
-using Vector [[gnu::vector_size(Columns * sizeof(std::int16_t))]] = std::int16_t;
-#endif
+/** Columns that are counted at once. */
+using Counts = MedialVoxelLanesOf<std::int16_t, Columns>;
 
 /** Slices since the last site, for the columns of a slice; \a before is the result of the slice before. */
 MEDIALVOXEL_INLINE void
@@ -80,28 +78,16 @@ CountSlices(const WordType * const     sites,
   {
     bits[column] = static_cast<std::uint16_t>(1u << column);
   }
-#if defined(__GNUC__)
-  const Vector most = Vector{} + Nowhere;
-  Vector       own;
-  std::memcpy(&own, bits, sizeof(own));
+  const Counts most = Counts{} + Nowhere;
+  const Counts own = MedialVoxelLoad<Counts>(bits);
   for (std::int64_t row = 0; row < rows; ++row)
   {
     const auto word = static_cast<std::int16_t>(sites[row] >> shift);
-    Vector     further;
-    std::memcpy(&further, before + row * Columns, sizeof(further));
-    further += 1;
-    further = further < most ? further : most;
-    further = (own & word) != 0 ? Vector{} : further;
+    Counts     further = MedialVoxelLoad<Counts>(before + row * Columns) + 1;
+    further = MedialVoxelSelect(further < most, further, most);
+    further = MedialVoxelSelect((own & word) != 0, Counts{}, further);
     std::memcpy(slices + row * Columns, &further, sizeof(further));
   }
-#else
-  for (std::int64_t i = 0; i < rows * Columns; ++i)
-  {
-    const auto further = static_cast<std::int16_t>(std::min(before[i] + 1, Nowhere + 0));
-    const bool isSite = ((sites[i / Columns] >> shift) & bits[i % Columns]) != 0;
-    slices[i] = isSite ? std::int16_t{ 0 } : further;
-  }
-#endif
 }
 
 /** Squared distances along z; the smallest one. */

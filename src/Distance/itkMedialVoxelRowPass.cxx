@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelRowPass.h"
 
-#include "itkMedialVoxelProcessors.h"
+#include "itkMedialVoxelLanes.h"
 
 #include <algorithm>
 #include <cstring>
@@ -13,46 +13,37 @@ namespace itk
 namespace
 {
 
-/** Processors with shorter vectors split these. */
-constexpr std::size_t VectorSize = 32;
-
 /** First attempt of a search about which nothing is known. */
 constexpr std::int64_t FirstReach = 16;
 
-#if defined(__GNUC__)
-/** Doubles that are added and compared at once. Compilers would split a loop over them into single ones. */
-using Vector [[gnu::vector_size(VectorSize)]] = double;
-#endif
+/** Keys that are added and compared at once. */
+constexpr std::int64_t KeysAtOnce = 4;
+using Keys = MedialVoxelLanesOf<double, KeysAtOnce>;
 
 /** Smallest of keys[j] + steps[j] for j in [begin, end). */
 MEDIALVOXEL_INLINE double
 FindSmallestSum(const double * const keys, const double * const steps, std::int64_t begin, const std::int64_t end)
 {
-  double smallest = MedialVoxelSiteKey::NoSite;
-#if defined(__GNUC__)
-  constexpr std::size_t  vectors = 64 / VectorSize;
-  constexpr std::int64_t lanes = 64 / sizeof(double);
+  double                 smallest = MedialVoxelSiteKey::NoSite;
+  constexpr std::int64_t vectors = 2;
+  constexpr std::int64_t lanes = vectors * KeysAtOnce;
   if (end - begin >= lanes)
   {
-    Vector best[vectors];
-    std::fill(best, best + vectors, Vector{} + smallest);
+    Keys best[vectors];
+    std::fill(best, best + vectors, Keys{} + smallest);
     for (; begin + lanes <= end; begin += lanes)
     {
-      for (std::size_t i = 0; i < vectors; ++i)
+      for (std::int64_t i = 0; i < vectors; ++i)
       {
-        Vector key;
-        Vector step;
-        std::memcpy(&key, keys + begin + i * (VectorSize / sizeof(double)), VectorSize);
-        std::memcpy(&step, steps + begin + i * (VectorSize / sizeof(double)), VectorSize);
-        key += step;
-        best[i] = key < best[i] ? key : best[i];
+        const std::int64_t at = begin + i * KeysAtOnce;
+        const Keys         sum = MedialVoxelLoad<Keys>(keys + at) + MedialVoxelLoad<Keys>(steps + at);
+        best[i] = MedialVoxelSelect(sum < best[i], sum, best[i]);
       }
     }
     double values[lanes];
     std::memcpy(values, best, sizeof(values));
     smallest = *std::min_element(values, values + lanes);
   }
-#endif
   for (; begin < end; ++begin)
   {
     smallest = std::min(smallest, keys[begin] + steps[begin]);
@@ -68,31 +59,18 @@ FindSmallestSums(const double * const keys,
                  const std::int64_t   end,
                  double * const       result)
 {
-#if defined(__GNUC__)
-  constexpr std::size_t vectors = static_cast<std::size_t>(MedialVoxelRowPass::BlockSize) * sizeof(double) / VectorSize;
-  Vector                best[vectors];
-  std::fill(best, best + vectors, Vector{} + MedialVoxelSiteKey::NoSite);
+  constexpr std::int64_t vectors = MedialVoxelRowPass::BlockSize / KeysAtOnce;
+  Keys                   best[vectors];
+  std::fill(best, best + vectors, Keys{} + MedialVoxelSiteKey::NoSite);
   for (std::int64_t j = begin; j < end; ++j)
   {
-    for (std::size_t i = 0; i < vectors; ++i)
+    for (std::int64_t i = 0; i < vectors; ++i)
     {
-      Vector sum;
-      std::memcpy(&sum, steps - j + i * (VectorSize / sizeof(double)), VectorSize);
-      sum += keys[j];
-      best[i] = sum < best[i] ? sum : best[i];
+      const Keys sum = MedialVoxelLoad<Keys>(steps - j + i * KeysAtOnce) + keys[j];
+      best[i] = MedialVoxelSelect(sum < best[i], sum, best[i]);
     }
   }
   std::memcpy(result, best, sizeof(best));
-#else
-  std::fill(result, result + MedialVoxelRowPass::BlockSize, MedialVoxelSiteKey::NoSite);
-  for (std::int64_t j = begin; j < end; ++j)
-  {
-    for (std::int64_t lane = 0; lane < MedialVoxelRowPass::BlockSize; ++lane)
-    {
-      result[lane] = std::min(result[lane], keys[j] + steps[lane - j]);
-    }
-  }
-#endif
 }
 
 } // namespace

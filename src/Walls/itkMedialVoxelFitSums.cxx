@@ -34,8 +34,8 @@ Evaluate(const Lanes & x, NormalDistribution & values)
   // A power of 2, from the series of exp() between two whole exponents and the bits of a number.
   Lanes exponent = (-0.5F * log2OfE) * (x * x);
   exponent = MedialVoxelSelect(exponent > lowest, exponent, Lanes{} + lowest);
-  const MedialVoxelIntegerLanes whole = MedialVoxelTruncate(exponent) - 1;
-  const Lanes                   rest = (exponent - MedialVoxelToFloat(whole) - 0.5F) * 0.693147181F;
+  const MedialVoxelIntegerLanes whole = MedialVoxelConvert<MedialVoxelIntegerLanes>(exponent) - 1;
+  const Lanes                   rest = (exponent - MedialVoxelConvert<Lanes>(whole) - 0.5F) * 0.693147181F;
   Lanes                         power = 1.0F / 120 + rest * (1.0F / 720);
   power = 1.0F / 6 + rest * (1.0F / 24 + rest * power);
   power = 1.0F + rest * (1.0F + rest * (0.5F + rest * power));
