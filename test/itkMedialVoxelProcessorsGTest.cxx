@@ -20,6 +20,7 @@
 #include "MedialVoxelTestRuns.h"
 #include "MedialVoxelTestVersions.h"
 
+#include <cstdlib>
 #include <functional>
 
 namespace
@@ -61,8 +62,7 @@ protected:
     EXPECT_TRUE(AreSame(Run(Version::Avx2, record), Run(Version::Plain, record)));
   }
 
-private:
-  Version m_First{ Processors::GetVersion() };
+  const Version m_First{ Processors::GetVersion() };
 };
 
 /** Displacements of voxels, most of them near each other. */
@@ -155,6 +155,11 @@ RecordMask(const Volume & volume, const bool isAutomatic, Bytes & bytes)
   AddPixels(vectors->GetDistanceOutput(), bytes);
 }
 } // namespace
+
+TEST_F(MedialVoxelProcessors, TheBestRunsAtFirstUnlessTheEnvironmentForbidsIt)
+{
+  EXPECT_EQ(m_First, std::getenv("MEDIALVOXEL_NO_AVX2") != nullptr ? Version::Plain : Version::Avx2);
+}
 
 #if defined(MEDIALVOXEL_HAS_VERSIONS)
 namespace
