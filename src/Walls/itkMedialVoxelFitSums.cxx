@@ -200,7 +200,7 @@ MedialVoxelFitSums::SumWall(const double center, const double thickness, const d
                                     static_cast<float>(1.0 / blur),
                                     sums);
   std::array<double, 10> s;
-  std::transform(sums.begin(), sums.end(), s.begin(), MedialVoxelSumOf);
+  std::transform(sums.begin(), sums.end(), s.begin(), [](const Lanes & lanes) { return MedialVoxelSumOf(lanes); });
   return { s[0], s[1], s[2], s[3], s[4], 0.25 * s[6], s[5], s[6], s[7], s[8], s[9] };
 }
 
