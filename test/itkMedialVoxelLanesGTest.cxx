@@ -11,6 +11,8 @@
 
 // The same sources once more, under other names.
 #define MEDIALVOXEL_PLAIN_LANES
+#undef MedialVoxel_EXPORT
+#define MedialVoxel_EXPORT
 #undef itkMedialVoxelDistanceTransform_h
 #undef itkMedialVoxelFitSums_h
 #undef itkMedialVoxelGrayNormals_h

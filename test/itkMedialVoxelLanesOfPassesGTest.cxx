@@ -10,6 +10,8 @@
 
 // The same sources once more, under other names.
 #define MEDIALVOXEL_PLAIN_LANES
+#undef MedialVoxel_EXPORT
+#define MedialVoxel_EXPORT
 #undef itkMedialVoxelColumnPass_h
 #undef itkMedialVoxelRowPass_h
 #define MedialVoxelColumnPass MedialVoxelPlainColumnPass
