@@ -110,12 +110,8 @@ FindNeighbors(const MedialVoxelBits & object,
 class MedialVoxelReachingVoxels::Search
 {
 public:
-  Search(const MedialVoxelReachingVoxels & owner,
-         const MedialVoxelBits &           object,
-         const MedialVoxelBox &            corners,
-         const MedialVoxelBits &           reaching)
-    : m_Owner(owner)
-    , m_Object(object)
+  Search(const MedialVoxelBits & object, const MedialVoxelBox & corners, const MedialVoxelBits & reaching)
+    : m_Object(object)
     , m_Corners(corners)
     , m_FirstWord(reaching.GetFirstWord())
   {
@@ -220,7 +216,6 @@ private:
     return voxels;
   }
 
-  const MedialVoxelReachingVoxels &                 m_Owner;
   const MedialVoxelBits &                           m_Object;
   MedialVoxelBox                                    m_Corners;
   std::int64_t                                      m_FirstWord;
@@ -269,7 +264,7 @@ MedialVoxelReachingVoxels::Find(const MedialVoxelBits & object,
   {
     corners.upper[axis] += m_Grid.GetUnitMargin()[axis];
   }
-  Search             search(*this, object, corners, reaching);
+  Search             search(object, corners, reaching);
   const std::int64_t first = reaching.GetFirstWord();
   MedialVoxelBox     found;
   for (std::int64_t z = voxels.lower[2]; z < voxels.upper[2]; ++z)
