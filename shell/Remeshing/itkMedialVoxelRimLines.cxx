@@ -30,13 +30,6 @@ IsKnown(const double thickness)
   return thickness > 0.0 && std::isfinite(thickness);
 }
 
-Vector
-Normalized(const Vector & vector)
-{
-  const double norm = MedialVoxelNorm(vector);
-  return norm > 0.0 ? MedialVoxelAddScaled({}, vector, 1.0 / norm) : vector;
-}
-
 double
 GetMedian(std::vector<double> & values)
 {
@@ -141,7 +134,7 @@ MedialVoxelRimLines::FindWalls()
         }
       }
     }
-    side.normal = Normalized(side.normal);
+    side.normal = MedialVoxelNormalized(side.normal);
     side.thickness = inside.empty() ? most : GetMedian(inside);
   }
 }
@@ -157,7 +150,7 @@ MedialVoxelRimLines::FindLines()
         along, MedialVoxelSubtract(this->PointOf(side.b), this->PointOf(side.a)), turns ? -1.0 : 1.0);
     });
     RimSide & side = m_Rims[number];
-    side.outward = Normalized(MedialVoxelCross(along, side.normal));
+    side.outward = MedialVoxelNormalized(MedialVoxelCross(along, side.normal));
     const Triangle & corners = m_Sheet.triangles[side.triangle];
     for (const Index point : corners)
     {
@@ -234,7 +227,8 @@ MedialVoxelRimLines::IsInside(const Vector & start, const Vector & place) const
 {
   const Vector way = MedialVoxelSubtract(place, start);
   const double length = MedialVoxelNorm(way);
-  const auto   lengths = m_Measure ? m_Measure({ { start }, Normalized(way), length }) : std::vector<double>(1, length);
+  const auto   lengths =
+    m_Measure ? m_Measure({ { start }, MedialVoxelNormalized(way), length }) : std::vector<double>(1, length);
   return !(lengths[0] < InsideOfCorner * length);
 }
 
