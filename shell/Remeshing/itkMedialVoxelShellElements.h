@@ -31,11 +31,19 @@ std::uint64_t
 MedialVoxelOrientWalls(const MedialVoxelTriangleComplex &                  complex,
                        std::vector<MedialVoxelTriangleComplex::Triangle> & corners);
 
+/** The mean place of its corners. */
+MedialVoxelVector3
+MedialVoxelElementMiddle(const MedialVoxelTriangleComplex & complex, const MedialVoxelShellElement & element);
+
+/** The largest size at its corners. */
+double
+MedialVoxelLargestSize(const MedialVoxelTriangleComplex & complex, const MedialVoxelShellElement & element);
+
 /** Of an element, by the places of its corners. */
 double
 MedialVoxelShellQuality(const MedialVoxelTriangleComplex & complex, const MedialVoxelShellElement & element);
 
-/** Joins triangles that share a side to quadrilaterals of a quality of 0.4 at least: as many as possible, the best
+/** Joins triangles that share a side to quadrilaterals of a quality of 0.42 at least: as many as possible, the best
  * first. Vertices inside walls move to where elements are better, and let more of them be joined.
  * \param fine    the sheet that vertices stay on
  * \param corners as MedialVoxelOrientWalls() has left them
