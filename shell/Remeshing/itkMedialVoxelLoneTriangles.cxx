@@ -25,7 +25,6 @@ constexpr std::size_t MostQuads = 128;
  * away. */
 constexpr double MostOfLength = 1.8;
 constexpr double MostOfDistance = 0.08;
-constexpr double MostOfRim = 0.15;
 
 Element
 MakeElement(const std::initializer_list<Index> corners, const Index wall)
@@ -334,7 +333,7 @@ private:
       return neighbor.triangles == 2 || neighbor.vertex == to ||
              MedialVoxelNorm(MedialVoxelSubtract(
                MedialVoxelNearestOfTriangle(m_Complex.GetPoint(from), { { m_Complex.GetPoint(to), end, end } }),
-               m_Complex.GetPoint(from))) <= MostOfRim * m_Complex.GetSize(from);
+               m_Complex.GetPoint(from))) <= MostOfDistance * m_Complex.GetSize(from);
     });
   }
 

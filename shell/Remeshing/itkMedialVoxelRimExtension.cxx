@@ -360,26 +360,17 @@ private:
     }
   }
 
-  /** Shortens what is added where it is much more than beside, so that rims have no spikes. The ends of rims, at
-   * junctions, do not count: less is added there. */
+  /** Shortens what is added where it is less to both sides along the rim, so that rims have no spikes. */
   void
   KeepEven()
   {
-    for (bool isDone = false; !isDone;)
+    const std::vector<double> across = m_Across;
+    for (Index point = 0; point < m_Lines.GetNumberOfPoints(); ++point)
     {
-      isDone = true;
-      for (const RimSide & side : m_Lines.GetSides())
+      const double most = m_Lines.FindMost(point, across, MostOfSlope);
+      if (most < across[point])
       {
-        const double length = MedialVoxelNorm(MedialVoxelSubtract(m_Lines.PointOf(side.b), m_Lines.PointOf(side.a)));
-        for (const auto & [point, other] : { std::pair(side.a, side.b), std::pair(side.b, side.a) })
-        {
-          const double most = m_Across[other] + MostOfSlope * length;
-          if (m_Lines.GetSidesOf(other).size() == 2 && m_Across[point] > (1.0 + SamePlace) * most)
-          {
-            this->Shorten(point, most / m_Across[point]);
-            isDone = false;
-          }
-        }
+        this->Shorten(point, most / across[point]);
       }
     }
   }

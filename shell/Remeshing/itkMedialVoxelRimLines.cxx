@@ -222,6 +222,29 @@ MedialVoxelRimLines::GetLineLength(const std::size_t number) const
   return sum;
 }
 
+double
+MedialVoxelRimLines::FindMost(const Index point, const std::vector<double> & values, const double slope) const
+{
+  double most = m_SidesOf[point].size() == 2 ? 0.0 : values[point];
+  for (std::size_t k = 0; m_SidesOf[point].size() == 2 && k < 2; ++k)
+  {
+    double      ofSide = values[point];
+    double      way = 0.0;
+    Index       next = point;
+    std::size_t number = m_SidesOf[point][k];
+    do
+    {
+      const RimSide & side = m_Rims[number];
+      way += slope * MedialVoxelNorm(MedialVoxelSubtract(this->PointOf(side.b), this->PointOf(side.a)));
+      next = side.a == next ? side.b : side.a;
+      ofSide = m_SidesOf[next].size() == 2 ? std::min(ofSide, values[next] + way) : ofSide;
+      number = m_SidesOf[next][m_SidesOf[next][0] == number ? m_SidesOf[next].size() - 1 : 0];
+    } while (m_SidesOf[next].size() == 2 && next != point && way < ofSide);
+    most = std::max(most, ofSide);
+  }
+  return most;
+}
+
 bool
 MedialVoxelRimLines::IsInside(const Vector & start, const Vector & place) const
 {

@@ -23,7 +23,7 @@ using Triangle = Complex::Triangle;
 constexpr unsigned int Rounds = 3;
 
 /** Quadrilaterals are made where their quality reaches one of these, the best first. */
-constexpr std::array<double, 4> QualitySteps{ { 0.8, 0.6, 0.5, 0.42 } };
+constexpr std::array<double, 4> QualitySteps{ { 0.8, 0.6, 0.5, 0.4 } };
 
 /** Whether a triangle goes from a to b. */
 bool

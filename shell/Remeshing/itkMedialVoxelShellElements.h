@@ -43,7 +43,7 @@ MedialVoxelLargestSize(const MedialVoxelTriangleComplex & complex, const MedialV
 double
 MedialVoxelShellQuality(const MedialVoxelTriangleComplex & complex, const MedialVoxelShellElement & element);
 
-/** Joins triangles that share a side to quadrilaterals of a quality of 0.42 at least: as many as possible, the best
+/** Joins triangles that share a side to quadrilaterals of a quality of 0.4 at least: as many as possible, the best
  * first. Vertices inside walls move to where elements are better, and let more of them be joined.
  * \param fine    the sheet that vertices stay on
  * \param corners as MedialVoxelOrientWalls() has left them
