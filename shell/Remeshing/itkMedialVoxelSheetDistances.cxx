@@ -24,6 +24,9 @@ constexpr unsigned int BitsOfClass = 13;
 
 constexpr double MostShare = 0.99;
 
+/** Samples of neighboring elements, few enough that their box is small. */
+constexpr std::size_t SamplesOfGroup = 256;
+
 /** Normals of elements of a bend turn by more than 30 degrees. */
 constexpr double CosineOfBend = 0.866;
 
@@ -51,42 +54,6 @@ GetArea(const std::array<Vector, 3> & corners)
 {
   return MedialVoxelNorm(MedialVoxelTriangleNormal(corners)) / 2.0;
 }
-
-/** \class Bounds
- * \brief The box of a part. */
-class Bounds
-{
-public:
-  explicit Bounds(const std::vector<Vector> & points)
-    : m_Low(points.front())
-    , m_High(points.front())
-  {
-    for (const Vector & point : points)
-    {
-      for (unsigned int axis = 0; axis < 3; ++axis)
-      {
-        m_Low[axis] = std::min(m_Low[axis], point[axis]);
-        m_High[axis] = std::max(m_High[axis], point[axis]);
-      }
-    }
-  }
-
-  bool
-  IsWithin(const Vector & point, const double distance) const
-  {
-    double sum = 0.0;
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      const double outside = std::max({ m_Low[axis] - point[axis], point[axis] - m_High[axis], 0.0 });
-      sum += outside * outside;
-    }
-    return sum < distance * distance;
-  }
-
-private:
-  Vector m_Low;
-  Vector m_High;
-};
 
 /** Of each point, whether it is on a rim, a junction, or a side where the normals of elements turn. */
 std::vector<bool>
@@ -226,8 +193,68 @@ MedialVoxelSheetDistances::MeasurePoints(const MedialVoxelSheet & part) const
   return result;
 }
 
+auto
+MedialVoxelSheetDistances::FindBounds(const std::vector<Vector> & points) -> Bounds
+{
+  Bounds bounds{ points.front(), points.front() };
+  for (const Vector & point : points)
+  {
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      bounds.low[axis] = std::min(bounds.low[axis], point[axis]);
+      bounds.high[axis] = std::max(bounds.high[axis], point[axis]);
+    }
+  }
+  return bounds;
+}
+
+bool
+MedialVoxelSheetDistances::AreWithin(const Bounds & a, const Bounds & b, const double distance)
+{
+  double sum = 0.0;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const double between = std::max({ a.low[axis] - b.high[axis], b.low[axis] - a.high[axis], 0.0 });
+    sum += between * between;
+  }
+  return sum < distance * distance;
+}
+
+bool
+MedialVoxelSheetDistances::BeginSamples(const double within)
+{
+  m_Within = within;
+  m_Groups.clear();
+  std::vector<Vector> points;
+  const auto          endGroup = [&] {
+    if (!points.empty())
+    {
+      m_Groups.back().bounds = FindBounds(points);
+      points.clear();
+    }
+  };
+  for (std::size_t k = 0; k < m_Samples.size(); ++k)
+  {
+    if (!std::isfinite(m_Samples[k].distance))
+    {
+      if (points.empty())
+      {
+        m_Groups.emplace_back();
+      }
+      m_Groups.back().samples.push_back(k);
+      points.push_back(m_Samples[k].point);
+    }
+    if (points.size() == SamplesOfGroup)
+    {
+      endGroup();
+    }
+  }
+  endGroup();
+  return !m_Groups.empty();
+}
+
 std::vector<MedialVoxelSheetDistances::SampleDistance>
-MedialVoxelSheetDistances::MeasureSamples(const MedialVoxelSheet & part, const double within) const
+MedialVoxelSheetDistances::MeasureSamples(const MedialVoxelSheet & part) const
 {
   std::vector<SampleDistance> result;
   if (part.triangles.empty())
@@ -235,15 +262,19 @@ MedialVoxelSheetDistances::MeasureSamples(const MedialVoxelSheet & part, const d
     return result;
   }
   const MedialVoxelSheetTree tree(part.points, part.triangles, std::vector<Index>(part.triangles.size(), 0));
-  const Bounds               bounds(part.points);
-  for (std::size_t k = 0; k < m_Samples.size(); ++k)
+  const Bounds               bounds = FindBounds(part.points);
+  for (const Group & group : m_Groups)
   {
-    if (bounds.IsWithin(m_Samples[k].point, within))
+    for (std::size_t i = 0; i < group.samples.size() && AreWithin(group.bounds, bounds, m_Within); ++i)
     {
-      const double distance = tree.Find(m_Samples[k].point, 0, within).distance;
-      if (distance < within)
+      const Vector & point = m_Samples[group.samples[i]].point;
+      if (AreWithin({ point, point }, bounds, m_Within))
       {
-        result.emplace_back(k, distance);
+        const double distance = tree.Find(point, 0, m_Within).distance;
+        if (distance < m_Within)
+        {
+          result.emplace_back(group.samples[i], distance);
+        }
       }
     }
   }
@@ -263,13 +294,6 @@ MedialVoxelSheetDistances::Add(const std::vector<SampleDistance> & samples)
   {
     m_Samples[number].distance = std::min(m_Samples[number].distance, distance);
   }
-}
-
-bool
-MedialVoxelSheetDistances::IsComplete() const
-{
-  return std::all_of(
-    m_Samples.begin(), m_Samples.end(), [](const Sample & sample) { return std::isfinite(sample.distance); });
 }
 
 void

@@ -56,9 +56,14 @@ public:
   MedialVoxelDistanceHistogram
   MeasurePoints(const MedialVoxelSheet & part) const;
 
-  /** Of the samples to a part of the fine sheet, where they are less than \a within. Several threads may call it. */
+  /** Have the samples that no part was near enough to wait for parts that are less than \a within away. False when no
+   * sample waits. */
+  bool
+  BeginSamples(double within);
+
+  /** Of the samples that wait to a part of the fine sheet. Several threads may call it. */
   std::vector<SampleDistance>
-  MeasureSamples(const MedialVoxelSheet & part, double within) const;
+  MeasureSamples(const MedialVoxelSheet & part) const;
 
   /** Sums depend on the order of the parts in their last digits. */
   void
@@ -66,10 +71,6 @@ public:
 
   void
   Add(const std::vector<SampleDistance> & samples);
-
-  /** Whether all samples have been near enough to some part. */
-  bool
-  IsComplete() const;
 
   /** Adds the distances to the summary. */
   void
@@ -84,7 +85,29 @@ private:
     double             distance{ std::numeric_limits<double>::infinity() };
   };
 
+  /** The box of points. */
+  struct Bounds
+  {
+    MedialVoxelVector3 low;
+    MedialVoxelVector3 high;
+  };
+
+  /** Samples that wait and follow each other. */
+  struct Group
+  {
+    std::vector<std::size_t> samples;
+    Bounds                   bounds;
+  };
+
+  static Bounds
+  FindBounds(const std::vector<MedialVoxelVector3> & points);
+
+  static bool
+  AreWithin(const Bounds & a, const Bounds & b, double distance);
+
   std::vector<Sample>                   m_Samples;
+  std::vector<Group>                    m_Groups;
+  double                                m_Within{ 0 }; ///< of the samples that wait
   std::unique_ptr<MedialVoxelSheetTree> m_Elements;
   MedialVoxelDistanceHistogram          m_Points;
 };

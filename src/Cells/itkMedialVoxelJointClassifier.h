@@ -49,18 +49,20 @@ private:
   static constexpr double Unlimited = std::numeric_limits<double>::infinity();
 
   /** A cell of the tile that is not trivial. */
-  struct Cell
+  struct alignas(64) Cell
   {
-    MedialVoxelIndex        center;
+    // Its neighbors read these, in one line of the cache.
     MedialVoxelIndex        a;
     MedialVoxelIndex        b;
-    std::size_t             label{ 0 };         // position in the labels of the tile
-    double                  radius{ 0.0 };      // of its own ball, or 0
-    double                  limit{ Unlimited }; // its threshold is not above it, once known
-    double                  epsilon{ 0.0 };     // up to which paths matter while blocks may separate its points
-    MedialVoxelLengthBounds bounds;             // of the geodesic distance
-    bool                    isAtFloor{ false }; // known to reach the smallest threshold
-    bool                    isWaiting{ true };  // for its own threshold
+    MedialVoxelLengthBounds bounds; // of the geodesic distance
+
+    MedialVoxelIndex center;
+    std::size_t      label{ 0 };         // position in the labels of the tile
+    double           radius{ 0.0 };      // of its own ball, or 0
+    double           limit{ Unlimited }; // its threshold is not above it, once known
+    double           epsilon{ 0.0 };     // up to which paths matter while blocks may separate its points
+    bool             isAtFloor{ false }; // known to reach the smallest threshold
+    bool             isWaiting{ true };  // for its own threshold
 
     MedialVoxelDisplacement
     GetDifference() const

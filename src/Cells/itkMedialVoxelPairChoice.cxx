@@ -33,7 +33,7 @@ NontrivialSign(const std::int32_t a, const std::int32_t b)
 }
 
 /** Sign bits of the cells of a group. */
-MEDIALVOXEL_PART_OF_THEM inline void
+MEDIALVOXEL_INLINE void
 NontrivialOfGroup(const MedialVoxelCornerRows & corners,
                   const std::int64_t            begin,
                   const std::int64_t            numberOfCells,
@@ -62,8 +62,8 @@ NontrivialOfGroup(const MedialVoxelCornerRows & corners,
 }
 
 /** Sign bits of a group side by side, the first one lowest. */
-MEDIALVOXEL_PART_OF_THEM inline std::uint64_t
-GatherSigns(const std::uint32_t (&numbers)[GroupSize])
+MEDIALVOXEL_INLINE std::uint64_t
+                   GatherSigns(const std::uint32_t (&numbers)[GroupSize])
 {
   static_assert(GroupSize == 16, "two words of bytes");
   std::uint8_t signs[GroupSize];
@@ -95,7 +95,7 @@ struct Fractions
 
 /** The fractions of a diagonal from the corner VCorner, which has the lower number. */
 template <unsigned int VCorner>
-MEDIALVOXEL_PART_OF_THEM inline void
+MEDIALVOXEL_INLINE void
 AddFractions(const MedialVoxelCornerRows & corners,
              const std::int64_t            begin,
              const std::int64_t            numberOfCells,
@@ -128,7 +128,7 @@ AddFractions(const MedialVoxelCornerRows & corners,
 }
 
 /** The first of the smallest fractions of each cell of a group. */
-MEDIALVOXEL_PART_OF_THEM inline void
+MEDIALVOXEL_INLINE void
 WidestOfGroup(const MedialVoxelCornerRows & corners,
               const std::int64_t            begin,
               const std::int64_t            numberOfCells,
@@ -163,12 +163,8 @@ WidestOfGroup(const MedialVoxelCornerRows & corners,
   }
 }
 
-} // namespace
-
-MEDIALVOXEL_FOR_PROCESSORS std::uint64_t
-                           MedialVoxelNontrivialCells(const MedialVoxelCornerRows & corners,
-                                                      const std::uint64_t           cells,
-                                                      const std::int64_t            numberOfCells)
+MEDIALVOXEL_INLINE std::uint64_t
+FindNontrivial(const MedialVoxelCornerRows & corners, const std::uint64_t cells, const std::int64_t numberOfCells)
 {
   std::uint64_t result = 0;
   for (std::int64_t begin = 0; begin < numberOfCells; begin += GroupSize)
@@ -192,11 +188,11 @@ MEDIALVOXEL_FOR_PROCESSORS std::uint64_t
   return result & cells;
 }
 
-MEDIALVOXEL_FOR_PROCESSORS void
-MedialVoxelWidestDiagonals(const MedialVoxelCornerRows & corners,
-                           const std::uint64_t           cells,
-                           const std::int64_t            numberOfCells,
-                           std::int8_t * const           widest)
+MEDIALVOXEL_INLINE void
+FindWidest(const MedialVoxelCornerRows & corners,
+           const std::uint64_t           cells,
+           const std::int64_t            numberOfCells,
+           std::int8_t * const           widest)
 {
   for (std::int64_t begin = 0; begin < numberOfCells; begin += ChoiceSize)
   {
@@ -213,6 +209,25 @@ MedialVoxelWidestDiagonals(const MedialVoxelCornerRows & corners,
       WidestOfGroup(corners, begin, numberOfCells - begin, widest + begin);
     }
   }
+}
+
+} // namespace
+
+std::uint64_t
+MedialVoxelNontrivialCells(const MedialVoxelCornerRows & corners,
+                           const std::uint64_t           cells,
+                           const std::int64_t            numberOfCells)
+{
+  return MedialVoxelKernel<FindNontrivial>::Run(corners, cells, numberOfCells);
+}
+
+void
+MedialVoxelWidestDiagonals(const MedialVoxelCornerRows & corners,
+                           const std::uint64_t           cells,
+                           const std::int64_t            numberOfCells,
+                           std::int8_t * const           widest)
+{
+  MedialVoxelKernel<FindWidest>::Run(corners, cells, numberOfCells, widest);
 }
 
 } // end namespace itk

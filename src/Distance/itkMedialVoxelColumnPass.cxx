@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelColumnPass.h"
 
-#include "itkMedialVoxelProcessors.h"
+#include "itkMedialVoxelLanes.h"
 #include "itkMedialVoxelReserve.h"
 #include "itkMedialVoxelSquaredLengths.h"
 
@@ -27,10 +27,8 @@ constexpr std::int64_t FewRows = 16;
 
 constexpr std::int64_t Columns = MedialVoxelColumnPass::Columns;
 
-#if defined(__GNUC__)
-/** Values that are added and compared at once. Compilers would split a loop over them into single ones. */
-using Vector [[gnu::vector_size(Lanes * sizeof(std::int32_t))]] = std::int32_t;
-#endif
+/** Values that are added and compared at once. */
+using Vector = MedialVoxelLanesOf<std::int32_t, Lanes>;
 
 /** Some columns, and the winners of every so many rows that are known. */
 struct Pass
@@ -45,19 +43,14 @@ struct Pass
 };
 
 /** The square of the step from a row to another one, for one row after the other, without products. */
-#if defined(__GNUC__)
-using StepType = Vector;
-#else
-using StepType = std::int32_t;
-#endif
 struct Square
 {
-  StepType value; ///< step * step
-  StepType twice; ///< 2 * step
+  Vector value; ///< step * step
+  Vector twice; ///< 2 * step
 
   MEDIALVOXEL_INLINE explicit Square(const std::int64_t step)
-    : value(StepType{} + static_cast<std::int32_t>(step * step))
-    , twice(StepType{} + static_cast<std::int32_t>(2 * step))
+    : value(Vector{} + static_cast<std::int32_t>(step * step))
+    , twice(Vector{} + static_cast<std::int32_t>(2 * step))
   {}
 
   /** The other row is one further on, the step one less. */
@@ -77,36 +70,19 @@ FindWinners(const Pass &         pass,
             const std::int64_t   last,
             std::int32_t * const winners)
 {
-#if defined(__GNUC__)
   Square square(row - begin);
-  Vector best;
-  std::memcpy(&best, pass.costs + begin * Columns, sizeof(best));
-  best += square.value;
+  Vector best = MedialVoxelLoad<Vector>(pass.costs + begin * Columns) + square.value;
   Vector winner = Vector{} + static_cast<std::int32_t>(begin);
   Vector candidate = winner;
   for (std::int64_t j = begin + 1; j <= last; ++j)
   {
     square.Advance();
-    Vector sum;
-    std::memcpy(&sum, pass.costs + j * Columns, sizeof(sum));
-    sum += square.value;
+    const Vector sum = MedialVoxelLoad<Vector>(pass.costs + j * Columns) + square.value;
     candidate += 1;
-    winner = sum < best ? candidate : winner;
-    best = sum < best ? sum : best;
+    winner = MedialVoxelSelect(sum < best, candidate, winner);
+    best = MedialVoxelSelect(sum < best, sum, best);
   }
   std::memcpy(winners, &winner, sizeof(winner));
-#else
-  for (std::int64_t lane = 0; lane < Lanes; ++lane)
-  {
-    const auto   sumOf = [&](const std::int64_t j) { return pass.costs[j * Columns + lane] + (row - j) * (row - j); };
-    std::int64_t winner = begin;
-    for (std::int64_t j = begin + 1; j <= last; ++j)
-    {
-      winner = sumOf(j) < sumOf(winner) ? j : winner;
-    }
-    winners[lane] = static_cast<std::int32_t>(winner);
-  }
-#endif
 }
 
 /** Find the winners of a row between the winners of rows before and after it. */
@@ -135,19 +111,16 @@ FillBlock(const Pass & pass, const std::int64_t block, const std::int64_t begin,
 {
   const std::int64_t   first = pass.first + block * BlockSize;
   std::int32_t * const result = pass.result + block * BlockSize * Columns;
-#if defined(__GNUC__)
   // With i rows from the first one to another, (step + i)^2 is step^2 + 2 i step + i^2; i^2 can wait.
   Vector best[BlockSize];
   std::fill(best, best + BlockSize, Vector{} + MedialVoxelSquaredLengths::None);
   Square square(first - begin);
   for (std::int64_t j = begin; j <= last; ++j)
   {
-    Vector sum;
-    std::memcpy(&sum, pass.costs + j * Columns, sizeof(sum));
-    sum += square.value;
+    Vector sum = MedialVoxelLoad<Vector>(pass.costs + j * Columns) + square.value;
     for (std::int64_t row = 0; row < BlockSize; ++row)
     {
-      best[row] = sum < best[row] ? sum : best[row];
+      best[row] = MedialVoxelSelect(sum < best[row], sum, best[row]);
       sum += square.twice;
     }
     square.Advance();
@@ -161,25 +134,10 @@ FillBlock(const Pass & pass, const std::int64_t block, const std::int64_t begin,
       result[row * Columns + lane] = values[row * Lanes + lane] + static_cast<std::int32_t>(row * row);
     }
   }
-#else
-  for (std::int64_t row = 0; row < BlockSize; ++row)
-  {
-    std::int32_t * const best = result + row * Columns;
-    std::fill(best, best + Lanes, MedialVoxelSquaredLengths::None);
-    for (std::int64_t j = begin; j <= last; ++j)
-    {
-      const auto square = static_cast<std::int32_t>((first + row - j) * (first + row - j));
-      for (std::int64_t lane = 0; lane < Lanes; ++lane)
-      {
-        best[lane] = std::min(best[lane], pass.costs[j * Columns + lane] + square);
-      }
-    }
-  }
-#endif
 }
 
 /** All rows of some columns: winners of the ends, then of the middle between two that are known, then the rest. */
-MEDIALVOXEL_FOR_PROCESSORS void
+MEDIALVOXEL_INLINE void
 SearchLanes(const Pass & pass)
 {
   const std::int64_t end = (pass.number + BlockSize - 1) / BlockSize;
@@ -229,7 +187,8 @@ MedialVoxelColumnPass::Search(const std::int32_t * const costs,
   MedialVoxelReserve(m_Highest, ends);
   for (std::int64_t lane = 0; lane < Columns; lane += Lanes)
   {
-    SearchLanes({ costs + lane, length, first, number, m_Lowest.data(), m_Highest.data(), result + lane });
+    MedialVoxelKernel<SearchLanes>::Run(
+      { costs + lane, length, first, number, m_Lowest.data(), m_Highest.data(), result + lane });
   }
 }
 

@@ -3,7 +3,7 @@
 #include "itkMedialVoxelDistanceTransform.h"
 
 #include "itkMedialVoxelFirstSites.h"
-#include "itkMedialVoxelProcessors.h"
+#include "itkMedialVoxelLanes.h"
 #include "itkMedialVoxelProgress.h"
 #include "itkMedialVoxelReserve.h"
 
@@ -62,13 +62,11 @@ StepsToUnknown(const MedialVoxelGrid & grid, const MedialVoxelBox & known, const
   return steps;
 }
 
-#if defined(__GNUC__)
-/** Columns that are counted at once. Compilers would split a loop over them into single ones. */
-using Vector [[gnu::vector_size(Columns * sizeof(std::int16_t))]] = std::int16_t;
-#endif
+/** Columns that are counted at once. */
+using Counts = MedialVoxelLanesOf<std::int16_t, Columns>;
 
 /** Slices since the last site, for the columns of a slice; \a before is the result of the slice before. */
-MEDIALVOXEL_FOR_PROCESSORS void
+MEDIALVOXEL_INLINE void
 CountSlices(const WordType * const     sites,
             const int                  shift,
             const std::int64_t         rows,
@@ -80,36 +78,24 @@ CountSlices(const WordType * const     sites,
   {
     bits[column] = static_cast<std::uint16_t>(1u << column);
   }
-#if defined(__GNUC__)
-  const Vector most = Vector{} + Nowhere;
-  Vector       own;
-  std::memcpy(&own, bits, sizeof(own));
+  const Counts most = Counts{} + Nowhere;
+  const Counts own = MedialVoxelLoad<Counts>(bits);
   for (std::int64_t row = 0; row < rows; ++row)
   {
     const auto word = static_cast<std::int16_t>(sites[row] >> shift);
-    Vector     further;
-    std::memcpy(&further, before + row * Columns, sizeof(further));
-    further += 1;
-    further = further < most ? further : most;
-    further = (own & word) != 0 ? Vector{} : further;
+    Counts     further = MedialVoxelLoad<Counts>(before + row * Columns) + 1;
+    further = MedialVoxelSelect(further < most, further, most);
+    further = MedialVoxelSelect((own & word) != 0, Counts{}, further);
     std::memcpy(slices + row * Columns, &further, sizeof(further));
   }
-#else
-  for (std::int64_t i = 0; i < rows * Columns; ++i)
-  {
-    const auto further = static_cast<std::int16_t>(std::min(before[i] + 1, Nowhere + 0));
-    const bool isSite = ((sites[i / Columns] >> shift) & bits[i % Columns]) != 0;
-    slices[i] = isSite ? std::int16_t{ 0 } : further;
-  }
-#endif
 }
 
 /** Squared distances along z; the smallest one. */
-MEDIALVOXEL_FOR_PROCESSORS std::int32_t
-                           MakeCosts(const std::int16_t * const below,
-                                     const std::int16_t * const above,
-                                     const std::int64_t         number,
-                                     std::int32_t * const       costs)
+MEDIALVOXEL_INLINE std::int32_t
+                   MakeCosts(const std::int16_t * const below,
+                             const std::int16_t * const above,
+                             const std::int64_t         number,
+                             std::int32_t * const       costs)
 {
   std::int32_t smallest = MedialVoxelSquaredLengths::None;
   for (std::int64_t i = 0; i < number; ++i)
@@ -122,8 +108,8 @@ MEDIALVOXEL_FOR_PROCESSORS std::int32_t
   return smallest;
 }
 
-MEDIALVOXEL_FOR_PROCESSORS std::int32_t
-                           FindLargest(const std::int32_t * const values, const std::int64_t number)
+MEDIALVOXEL_INLINE std::int32_t
+                   FindLargest(const std::int32_t * const values, const std::int64_t number)
 {
   std::int32_t largest = 0;
   for (std::int64_t i = 0; i < number; ++i)
@@ -280,7 +266,7 @@ MedialVoxelDistanceTransform::Search::SearchColumns(const std::int64_t x)
   }
   const auto step = [&](const std::int64_t slice, const std::int16_t * const before, std::int16_t * const next) {
     const auto shift = static_cast<int>(x % MedialVoxelBits::BitsPerWord);
-    CountSlices(m_Memory.m_Words.data() + slice * rows, shift, rows, before, next);
+    MedialVoxelKernel<CountSlices>::Run(m_Memory.m_Words.data() + slice * rows, shift, rows, before, next);
   };
   for (std::int64_t slice = 0; slice < slices; ++slice)
   {
@@ -290,7 +276,8 @@ MedialVoxelDistanceTransform::Search::SearchColumns(const std::int64_t x)
   for (std::int64_t slice = slices - 1; slice >= 0; --slice)
   {
     step(slice, above, above);
-    const std::int32_t   smallest = MakeCosts(below + (slice + 1) * number, above, number, m_Memory.m_Costs.data());
+    const std::int32_t smallest =
+      MedialVoxelKernel<MakeCosts>::Run(below + (slice + 1) * number, above, number, m_Memory.m_Costs.data());
     const std::int32_t * found = m_Memory.m_Costs.data() + first * Columns;
     if (smallest < MedialVoxelSquaredLengths::None)
     {
@@ -339,7 +326,7 @@ MedialVoxelDistanceTransform::Search::SearchRows(const std::int64_t y, const std
       lines[row][first + x] = found[x * Columns + row];
     }
   }
-  return FindLargest(found, number * Columns);
+  return MedialVoxelKernel<FindLargest>::Run(found, number * Columns);
 }
 
 MedialVoxelDistanceTransform::MedialVoxelDistanceTransform(const MedialVoxelGrid & grid)

@@ -40,7 +40,7 @@ GetBits(const float value)
 
 /** Signed lengths of whole groups of columns, computed with numbers of a type. */
 template <typename TReal, bool VIsSquared>
-MEDIALVOXEL_PART_OF_THEM inline void
+MEDIALVOXEL_INLINE void
 WriteGroups(const std::int32_t * squares,
             const std::int64_t   groups,
             std::uint64_t        negatives,
@@ -71,28 +71,8 @@ WriteGroups(const std::int32_t * squares,
   }
 }
 
-MEDIALVOXEL_FOR_PROCESSORS void
-WriteFloats(const std::int32_t * const squares,
-            const std::int64_t         groups,
-            const std::uint64_t        negatives,
-            const float                squaredSpacing,
-            float * const              target)
-{
-  WriteGroups<float, false>(squares, groups, negatives, squaredSpacing, target);
-}
-
-MEDIALVOXEL_FOR_PROCESSORS void
-WriteDoubles(const std::int32_t * const squares,
-             const std::int64_t         groups,
-             const std::uint64_t        negatives,
-             const double               squaredSpacing,
-             float * const              target)
-{
-  WriteGroups<double, false>(squares, groups, negatives, squaredSpacing, target);
-}
-
 /** True when one of \a number squares is not exact in floats, but a length. */
-MEDIALVOXEL_FOR_PROCESSORS bool
+MEDIALVOXEL_INLINE bool
 HasLarge(const std::int32_t * const squares, const std::int64_t number)
 {
   std::int32_t largest = 0;
@@ -168,15 +148,16 @@ MedialVoxelLengthRow::Write(const std::int32_t * const squares,
   }
   if (m_IsSquared)
   {
-    WriteGroups<double, true>(squares, groups, negatives, m_SquaredSpacing, target);
+    MedialVoxelKernel<WriteGroups<double, true>>::Run(squares, groups, negatives, m_SquaredSpacing, target);
   }
-  else if (m_FitsFloats && !HasLarge(squares, groups * Columns))
+  else if (m_FitsFloats && !MedialVoxelKernel<HasLarge>::Run(squares, groups * Columns))
   {
-    WriteFloats(squares, groups, negatives, static_cast<float>(m_SquaredSpacing), target);
+    MedialVoxelKernel<WriteGroups<float, false>>::Run(
+      squares, groups, negatives, static_cast<float>(m_SquaredSpacing), target);
   }
   else
   {
-    WriteDoubles(squares, groups, negatives, m_SquaredSpacing, target);
+    MedialVoxelKernel<WriteGroups<double, false>>::Run(squares, groups, negatives, m_SquaredSpacing, target);
   }
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelRowPass.h"
 
-#include "itkMedialVoxelProcessors.h"
+#include "itkMedialVoxelLanes.h"
 
 #include <algorithm>
 #include <cstring>
@@ -13,52 +13,37 @@ namespace itk
 namespace
 {
 
-/** Processors with shorter vectors split these. */
-constexpr std::size_t VectorSize = 32;
-
 /** First attempt of a search about which nothing is known. */
 constexpr std::int64_t FirstReach = 16;
 
-#if defined(__GNUC__)
-/** Doubles that are added and compared at once. Compilers would split a loop over them into single ones. */
-template <std::size_t VSize>
-struct Vector
-{
-  using Type [[gnu::vector_size(VSize)]] = double;
-};
-#endif
+/** Keys that are added and compared at once. */
+constexpr std::int64_t KeysAtOnce = 4;
+using Keys = MedialVoxelLanesOf<double, KeysAtOnce>;
 
 /** Smallest of keys[j] + steps[j] for j in [begin, end). */
-template <std::size_t VSize>
 MEDIALVOXEL_INLINE double
-SmallestSum(const double * const keys, const double * const steps, std::int64_t begin, const std::int64_t end)
+FindSmallestSum(const double * const keys, const double * const steps, std::int64_t begin, const std::int64_t end)
 {
-  double smallest = MedialVoxelSiteKey::NoSite;
-#if defined(__GNUC__)
-  using VectorType = typename Vector<VSize>::Type;
-  constexpr std::size_t  vectors = 64 / VSize;
-  constexpr std::int64_t lanes = 64 / sizeof(double);
+  double                 smallest = MedialVoxelSiteKey::NoSite;
+  constexpr std::int64_t vectors = 2;
+  constexpr std::int64_t lanes = vectors * KeysAtOnce;
   if (end - begin >= lanes)
   {
-    VectorType best[vectors];
-    std::fill(best, best + vectors, VectorType{} + smallest);
+    Keys best[vectors];
+    std::fill(best, best + vectors, Keys{} + smallest);
     for (; begin + lanes <= end; begin += lanes)
     {
-      for (std::size_t i = 0; i < vectors; ++i)
+      for (std::int64_t i = 0; i < vectors; ++i)
       {
-        VectorType key;
-        VectorType step;
-        std::memcpy(&key, keys + begin + i * (VSize / sizeof(double)), VSize);
-        std::memcpy(&step, steps + begin + i * (VSize / sizeof(double)), VSize);
-        key += step;
-        best[i] = key < best[i] ? key : best[i];
+        const std::int64_t at = begin + i * KeysAtOnce;
+        const Keys         sum = MedialVoxelLoad<Keys>(keys + at) + MedialVoxelLoad<Keys>(steps + at);
+        best[i] = MedialVoxelSelect(sum < best[i], sum, best[i]);
       }
     }
     double values[lanes];
     std::memcpy(values, best, sizeof(values));
     smallest = *std::min_element(values, values + lanes);
   }
-#endif
   for (; begin < end; ++begin)
   {
     smallest = std::min(smallest, keys[begin] + steps[begin]);
@@ -67,56 +52,25 @@ SmallestSum(const double * const keys, const double * const steps, std::int64_t 
 }
 
 /** Smallest of keys[j] + steps[lane - j] for j in [begin, end), for all lanes of a block. */
-template <std::size_t VSize>
 MEDIALVOXEL_INLINE void
-SmallestSums(const double * const keys,
-             const double * const steps,
-             const std::int64_t   begin,
-             const std::int64_t   end,
-             double * const       result)
-{
-#if defined(__GNUC__)
-  using VectorType = typename Vector<VSize>::Type;
-  constexpr std::size_t vectors = static_cast<std::size_t>(MedialVoxelRowPass::BlockSize) * sizeof(double) / VSize;
-  VectorType            best[vectors];
-  std::fill(best, best + vectors, VectorType{} + MedialVoxelSiteKey::NoSite);
-  for (std::int64_t j = begin; j < end; ++j)
-  {
-    for (std::size_t i = 0; i < vectors; ++i)
-    {
-      VectorType sum;
-      std::memcpy(&sum, steps - j + i * (VSize / sizeof(double)), VSize);
-      sum += keys[j];
-      best[i] = sum < best[i] ? sum : best[i];
-    }
-  }
-  std::memcpy(result, best, sizeof(best));
-#else
-  std::fill(result, result + MedialVoxelRowPass::BlockSize, MedialVoxelSiteKey::NoSite);
-  for (std::int64_t j = begin; j < end; ++j)
-  {
-    for (std::int64_t lane = 0; lane < MedialVoxelRowPass::BlockSize; ++lane)
-    {
-      result[lane] = std::min(result[lane], keys[j] + steps[lane - j]);
-    }
-  }
-#endif
-}
-
-MEDIALVOXEL_FOR_PROCESSORS double
-FindSmallestSum(const double * const keys, const double * const steps, const std::int64_t begin, const std::int64_t end)
-{
-  return SmallestSum<VectorSize>(keys, steps, begin, end);
-}
-
-MEDIALVOXEL_FOR_PROCESSORS void
 FindSmallestSums(const double * const keys,
                  const double * const steps,
                  const std::int64_t   begin,
                  const std::int64_t   end,
                  double * const       result)
 {
-  SmallestSums<VectorSize>(keys, steps, begin, end, result);
+  constexpr std::int64_t vectors = MedialVoxelRowPass::BlockSize / KeysAtOnce;
+  Keys                   best[vectors];
+  std::fill(best, best + vectors, Keys{} + MedialVoxelSiteKey::NoSite);
+  for (std::int64_t j = begin; j < end; ++j)
+  {
+    for (std::int64_t i = 0; i < vectors; ++i)
+    {
+      const Keys sum = MedialVoxelLoad<Keys>(steps - j + i * KeysAtOnce) + keys[j];
+      best[i] = MedialVoxelSelect(sum < best[i], sum, best[i]);
+    }
+  }
+  std::memcpy(result, best, sizeof(best));
 }
 
 } // namespace
@@ -178,7 +132,7 @@ MedialVoxelRowPass::Search(const double * const       keys,
     const std::int64_t to = nextWinner >= 0 ? nextWinner : std::min(length - 1, last + reach);
     // Steps of the block's voxels stand next to each other when they are counted backwards.
     const double * const steps = m_BackwardSteps.data() + m_Longest + BlockSize + begin;
-    FindSmallestSums(keys, steps, from, to + 1, result + block * BlockSize);
+    MedialVoxelKernel<FindSmallestSums>::Run(keys, steps, from, to + 1, result + block * BlockSize);
     lowest = std::max(lowest, nextWinner);
     winner = nextWinner;
   }
@@ -196,7 +150,7 @@ MedialVoxelRowPass::FindWinner(const double * const keys,
     return center + (m_Axis == Axis::X ? MedialVoxelSiteKey::Decode(key).dx : MedialVoxelSiteKey::DecodeY(key));
   };
   const auto search = [&](const std::int64_t reach) {
-    return FindSmallestSum(
+    return MedialVoxelKernel<FindSmallestSum>::Run(
       keys, steps - center, std::max(lowest, center - reach), std::min(length, center + reach + 1));
   };
 

@@ -14,35 +14,35 @@
 namespace itk
 {
 
-/** Numbers that are computed side by side. Compilers would split loops over them into single ones. */
-constexpr std::size_t MedialVoxelNumberOfLanes = 8;
-
 #if defined(__GNUC__) && !defined(MEDIALVOXEL_PLAIN_LANES)
 // All functions are inlined, so that no two versions have to agree on how to return vectors.
 #  pragma GCC diagnostic ignored "-Wpsabi"
-using MedialVoxelLanes [[gnu::vector_size(MedialVoxelNumberOfLanes * sizeof(float))]] = float;
-using MedialVoxelIntegerLanes [[gnu::vector_size(MedialVoxelNumberOfLanes * sizeof(float))]] = std::int32_t;
-
-MEDIALVOXEL_INLINE MedialVoxelIntegerLanes
-MedialVoxelTruncate(const MedialVoxelLanes & lanes)
+template <typename TValue, std::size_t VNumber>
+struct MedialVoxelVector
 {
-  return __builtin_convertvector(lanes, MedialVoxelIntegerLanes);
-}
+  using Type [[gnu::vector_size(VNumber * sizeof(TValue))]] = TValue;
+};
 
-MEDIALVOXEL_INLINE MedialVoxelLanes
-MedialVoxelToFloat(const MedialVoxelIntegerLanes & lanes)
-{
-  return __builtin_convertvector(lanes, MedialVoxelLanes);
-}
+/** Numbers that are computed side by side. Compilers would split loops over them into single ones. */
+template <typename TValue, std::size_t VNumber>
+using MedialVoxelLanesOf = typename MedialVoxelVector<TValue, VNumber>::Type;
 
-MEDIALVOXEL_INLINE MedialVoxelLanes
-MedialVoxelSelect(const MedialVoxelIntegerLanes & condition, const MedialVoxelLanes & yes, const MedialVoxelLanes & no)
+template <typename TCondition, typename TLanes>
+MEDIALVOXEL_INLINE TLanes
+MedialVoxelSelect(const TCondition & condition, const TLanes & yes, const TLanes & no)
 {
   return condition ? yes : no;
 }
+
+template <typename TTo, typename TFrom>
+MEDIALVOXEL_INLINE TTo
+MedialVoxelConvert(const TFrom & lanes)
+{
+  return __builtin_convertvector(lanes, TTo);
+}
 #else
 /** The same for compilers without vectors; single numbers have the type of the lanes. */
-template <typename TValue>
+template <typename TValue, std::size_t VNumber>
 class MedialVoxelPlainLanes
 {
 public:
@@ -64,13 +64,26 @@ public:
 
   /** operation(a, b) of each lane. */
   template <typename TResult, typename TOperation>
-  static MedialVoxelPlainLanes<TResult>
+  static MedialVoxelPlainLanes<TResult, VNumber>
   Combine(const MedialVoxelPlainLanes & a, const MedialVoxelPlainLanes & b, TOperation && operation)
   {
-    MedialVoxelPlainLanes<TResult> result;
-    for (std::size_t i = 0; i < MedialVoxelNumberOfLanes; ++i)
+    MedialVoxelPlainLanes<TResult, VNumber> result;
+    for (std::size_t i = 0; i < VNumber; ++i)
     {
       result[i] = operation(a[i], b[i]);
+    }
+    return result;
+  }
+
+  /** The numbers of another type, rounded to zero. */
+  template <typename TOther>
+  static MedialVoxelPlainLanes
+  From(const MedialVoxelPlainLanes<TOther, VNumber> & other)
+  {
+    MedialVoxelPlainLanes result;
+    for (std::size_t i = 0; i < VNumber; ++i)
+    {
+      result[i] = static_cast<TValue>(other[i]);
     }
     return result;
   }
@@ -100,27 +113,39 @@ public:
   }
 
   friend MedialVoxelPlainLanes
+  operator&(const MedialVoxelPlainLanes & a, const MedialVoxelPlainLanes & b)
+  {
+    return Combine<TValue>(a, b, std::bit_and<>());
+  }
+
+  friend MedialVoxelPlainLanes
   operator<<(const MedialVoxelPlainLanes & a, const MedialVoxelPlainLanes & b)
   {
     return Combine<TValue>(a, b, [](const TValue x, const TValue y) { return x << y; });
   }
 
-  friend MedialVoxelPlainLanes<std::int32_t>
+  friend MedialVoxelPlainLanes<std::int32_t, VNumber>
   operator<(const MedialVoxelPlainLanes & a, const MedialVoxelPlainLanes & b)
   {
     return Combine<std::int32_t>(a, b, [](const TValue x, const TValue y) { return x < y ? -1 : 0; });
   }
 
-  friend MedialVoxelPlainLanes<std::int32_t>
+  friend MedialVoxelPlainLanes<std::int32_t, VNumber>
   operator>(const MedialVoxelPlainLanes & a, const MedialVoxelPlainLanes & b)
   {
     return b < a;
   }
 
-  friend MedialVoxelPlainLanes<std::int32_t>
+  friend MedialVoxelPlainLanes<std::int32_t, VNumber>
   operator<=(const MedialVoxelPlainLanes & a, const MedialVoxelPlainLanes & b)
   {
     return Combine<std::int32_t>(a, b, [](const TValue x, const TValue y) { return x <= y ? -1 : 0; });
+  }
+
+  friend MedialVoxelPlainLanes<std::int32_t, VNumber>
+  operator!=(const MedialVoxelPlainLanes & a, const MedialVoxelPlainLanes & b)
+  {
+    return Combine<std::int32_t>(a, b, [](const TValue x, const TValue y) { return x != y ? -1 : 0; });
   }
 
   MedialVoxelPlainLanes
@@ -148,45 +173,38 @@ public:
   }
 
 private:
-  std::array<TValue, MedialVoxelNumberOfLanes> m_Values{};
+  std::array<TValue, VNumber> m_Values{};
 };
 
-using MedialVoxelLanes = MedialVoxelPlainLanes<float>;
-using MedialVoxelIntegerLanes = MedialVoxelPlainLanes<std::int32_t>;
+template <typename TValue, std::size_t VNumber>
+using MedialVoxelLanesOf = MedialVoxelPlainLanes<TValue, VNumber>;
 
-inline MedialVoxelIntegerLanes
-MedialVoxelTruncate(const MedialVoxelLanes & lanes)
+template <typename TValue, std::size_t VNumber>
+inline MedialVoxelPlainLanes<TValue, VNumber>
+MedialVoxelSelect(const MedialVoxelPlainLanes<std::int32_t, VNumber> & condition,
+                  const MedialVoxelPlainLanes<TValue, VNumber> &       yes,
+                  const MedialVoxelPlainLanes<TValue, VNumber> &       no)
 {
-  MedialVoxelIntegerLanes result;
-  for (std::size_t i = 0; i < MedialVoxelNumberOfLanes; ++i)
-  {
-    result[i] = static_cast<std::int32_t>(lanes[i]);
-  }
-  return result;
-}
-
-inline MedialVoxelLanes
-MedialVoxelToFloat(const MedialVoxelIntegerLanes & lanes)
-{
-  MedialVoxelLanes result;
-  for (std::size_t i = 0; i < MedialVoxelNumberOfLanes; ++i)
-  {
-    result[i] = static_cast<float>(lanes[i]);
-  }
-  return result;
-}
-
-inline MedialVoxelLanes
-MedialVoxelSelect(const MedialVoxelIntegerLanes & condition, const MedialVoxelLanes & yes, const MedialVoxelLanes & no)
-{
-  MedialVoxelLanes result;
-  for (std::size_t i = 0; i < MedialVoxelNumberOfLanes; ++i)
+  MedialVoxelPlainLanes<TValue, VNumber> result;
+  for (std::size_t i = 0; i < VNumber; ++i)
   {
     result[i] = condition[i] != 0 ? yes[i] : no[i];
   }
   return result;
 }
+
+template <typename TTo, typename TFrom>
+inline TTo
+MedialVoxelConvert(const TFrom & lanes)
+{
+  return TTo::From(lanes);
+}
 #endif
+
+/** Those of most kernels, and the whole numbers of as many bytes. */
+constexpr std::size_t MedialVoxelNumberOfLanes = 8;
+using MedialVoxelLanes = MedialVoxelLanesOf<float, MedialVoxelNumberOfLanes>;
+using MedialVoxelIntegerLanes = MedialVoxelLanesOf<std::int32_t, MedialVoxelNumberOfLanes>;
 
 /** 2 to the power of exponents from -126 to 127, from the bits of a number. */
 MEDIALVOXEL_INLINE MedialVoxelLanes
@@ -199,10 +217,11 @@ MedialVoxelPowerOfTwo(const MedialVoxelIntegerLanes & exponents)
   return powers;
 }
 
-MEDIALVOXEL_INLINE MedialVoxelLanes
-MedialVoxelLoad(const float * const from)
+template <typename TLanes = MedialVoxelLanes, typename TValue>
+MEDIALVOXEL_INLINE TLanes
+MedialVoxelLoad(const TValue * const from)
 {
-  MedialVoxelLanes lanes;
+  TLanes lanes;
   std::memcpy(static_cast<void *>(&lanes), from, sizeof(lanes));
   return lanes;
 }

@@ -18,6 +18,9 @@ namespace
 constexpr unsigned int FirstLevel = 3;
 constexpr unsigned int LastLevel = 2;
 
+/** Smaller groups are worth it where components separate one pair in so many of a larger group. */
+constexpr std::ptrdiff_t PairsToSeparated = 8;
+
 /** Share of the threshold to which paths are searched: lengths beyond the threshold decide neighboring pairs. */
 constexpr double LongestSearch = 1.45;
 
@@ -107,8 +110,9 @@ MedialVoxelPairSeparation::JudgeGroup(const MedialVoxelBits &                   
   {
     box = box.Union(entry->box);
   }
-  auto joined = last;
-  if (box.Extent(0) <= MedialVoxelBoxComponents::LongestRow)
+  auto       joined = last;
+  const bool isInWords = box.Extent(0) <= MedialVoxelBoxComponents::LongestRow;
+  if (isInWords)
   {
     workspace.m_Components.Label(boundary, box);
     joined = std::partition(first, last, [&](const Workspace::Entry & entry) {
@@ -121,7 +125,7 @@ MedialVoxelPairSeparation::JudgeGroup(const MedialVoxelBits &                   
       return !query.isSeparated;
     });
   }
-  if (level == LastLevel)
+  if (level == LastLevel || (isInWords && PairsToSeparated * (last - joined) < last - first))
   {
     return;
   }

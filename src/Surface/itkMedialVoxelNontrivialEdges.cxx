@@ -23,12 +23,12 @@ NontrivialSign(const std::int32_t lower, const std::int32_t upper, const std::ui
 }
 
 /** Bits of the edges of a group that are nontrivial. */
-MEDIALVOXEL_PART_OF_THEM inline std::uint32_t
-NontrivialOfGroup(const MedialVoxelDisplacementRows & lower,
-                  const MedialVoxelDisplacementRows & upper,
-                  const unsigned int                  axis,
-                  const std::int64_t                  begin,
-                  const std::int64_t                  number)
+MEDIALVOXEL_INLINE std::uint32_t
+                   NontrivialOfGroup(const MedialVoxelDisplacementRows & lower,
+                                     const MedialVoxelDisplacementRows & upper,
+                                     const unsigned int                  axis,
+                                     const std::int64_t                  begin,
+                                     const std::int64_t                  number)
 {
   const std::uint32_t steps[3] = { axis == 0 ? 1u : 0u, axis == 1 ? 1u : 0u, axis == 2 ? 1u : 0u };
   std::uint32_t       nontrivial[GroupSize] = {};
@@ -47,14 +47,12 @@ NontrivialOfGroup(const MedialVoxelDisplacementRows & lower,
   return bits;
 }
 
-} // namespace
-
-MEDIALVOXEL_FOR_PROCESSORS std::uint64_t
-                           MedialVoxelNontrivialEdges(const MedialVoxelDisplacementRows & lower,
-                                                      const MedialVoxelDisplacementRows & upper,
-                                                      const unsigned int                  axis,
-                                                      const std::uint64_t                 edges,
-                                                      const std::int64_t                  number)
+MEDIALVOXEL_INLINE std::uint64_t
+                   FindNontrivial(const MedialVoxelDisplacementRows & lower,
+                                  const MedialVoxelDisplacementRows & upper,
+                                  const unsigned int                  axis,
+                                  const std::uint64_t                 edges,
+                                  const std::int64_t                  number)
 {
   std::uint64_t result = 0;
   for (std::int64_t begin = 0; begin < number; begin += GroupSize)
@@ -70,6 +68,18 @@ MEDIALVOXEL_FOR_PROCESSORS std::uint64_t
     result |= bits << begin;
   }
   return result & edges;
+}
+
+} // namespace
+
+std::uint64_t
+MedialVoxelNontrivialEdges(const MedialVoxelDisplacementRows & lower,
+                           const MedialVoxelDisplacementRows & upper,
+                           const unsigned int                  axis,
+                           const std::uint64_t                 edges,
+                           const std::int64_t                  number)
+{
+  return MedialVoxelKernel<FindNontrivial>::Run(lower, upper, axis, edges, number);
 }
 
 } // end namespace itk

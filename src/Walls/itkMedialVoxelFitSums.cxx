@@ -34,8 +34,8 @@ Evaluate(const Lanes & x, NormalDistribution & values)
   // A power of 2, from the series of exp() between two whole exponents and the bits of a number.
   Lanes exponent = (-0.5F * log2OfE) * (x * x);
   exponent = MedialVoxelSelect(exponent > lowest, exponent, Lanes{} + lowest);
-  const MedialVoxelIntegerLanes whole = MedialVoxelTruncate(exponent) - 1;
-  const Lanes                   rest = (exponent - MedialVoxelToFloat(whole) - 0.5F) * 0.693147181F;
+  const MedialVoxelIntegerLanes whole = MedialVoxelConvert<MedialVoxelIntegerLanes>(exponent) - 1;
+  const Lanes                   rest = (exponent - MedialVoxelConvert<Lanes>(whole) - 0.5F) * 0.693147181F;
   Lanes                         power = 1.0F / 120 + rest * (1.0F / 720);
   power = 1.0F / 6 + rest * (1.0F / 24 + rest * power);
   power = 1.0F + rest * (1.0F + rest * (0.5F + rest * power));
@@ -49,7 +49,7 @@ Evaluate(const Lanes & x, NormalDistribution & values)
 }
 
 /** The parts of MedialVoxelFitSums::Wall, but for bendTT, which is a quarter of bendCC. */
-MEDIALVOXEL_FOR_PROCESSORS void
+MEDIALVOXEL_INLINE void
 SumOfWall(const Arrays &          arrays,
           const float             center,
           const float             half,
@@ -102,7 +102,7 @@ SumOfWall(const Arrays &          arrays,
 }
 
 /** The parts of MedialVoxelFitSums::Surface. */
-MEDIALVOXEL_FOR_PROCESSORS void
+MEDIALVOXEL_INLINE void
 SumOfSurface(const Arrays & arrays, const float place, const float inverseBlur, std::array<Lanes, 4> & sums)
 {
   Lanes pp{};
@@ -127,7 +127,7 @@ SumOfSurface(const Arrays & arrays, const float place, const float inverseBlur, 
 }
 
 /** The parts of MedialVoxelFitSums::Misfit. */
-MEDIALVOXEL_FOR_PROCESSORS void
+MEDIALVOXEL_INLINE void
 SumOfMisfit(const Arrays &         arrays,
             const float            center,
             const float            half,
@@ -194,13 +194,13 @@ auto
 MedialVoxelFitSums::SumWall(const double center, const double thickness, const double blur) const -> Wall
 {
   std::array<Lanes, 10> sums;
-  SumOfWall(this->GetArrays(),
-            static_cast<float>(center),
-            static_cast<float>(0.5 * thickness),
-            static_cast<float>(1.0 / blur),
-            sums);
+  MedialVoxelKernel<SumOfWall>::Run(this->GetArrays(),
+                                    static_cast<float>(center),
+                                    static_cast<float>(0.5 * thickness),
+                                    static_cast<float>(1.0 / blur),
+                                    sums);
   std::array<double, 10> s;
-  std::transform(sums.begin(), sums.end(), s.begin(), MedialVoxelSumOf);
+  std::transform(sums.begin(), sums.end(), s.begin(), [](const Lanes & lanes) { return MedialVoxelSumOf(lanes); });
   return { s[0], s[1], s[2], s[3], s[4], 0.25 * s[6], s[5], s[6], s[7], s[8], s[9] };
 }
 
@@ -208,7 +208,8 @@ auto
 MedialVoxelFitSums::SumSurface(const double place, const double blur) const -> Surface
 {
   std::array<Lanes, 4> sums;
-  SumOfSurface(this->GetArrays(), static_cast<float>(place), static_cast<float>(1.0 / blur), sums);
+  MedialVoxelKernel<SumOfSurface>::Run(
+    this->GetArrays(), static_cast<float>(place), static_cast<float>(1.0 / blur), sums);
   return { MedialVoxelSumOf(sums[0]), MedialVoxelSumOf(sums[1]), MedialVoxelSumOf(sums[2]), MedialVoxelSumOf(sums[3]) };
 }
 
@@ -217,12 +218,12 @@ MedialVoxelFitSums::SumMisfit(const double center, const double thickness, const
   -> Misfit
 {
   std::array<Lanes, 3> sums;
-  SumOfMisfit(this->GetArrays(),
-              static_cast<float>(center),
-              static_cast<float>(0.5 * thickness),
-              static_cast<float>(1.0 / blur),
-              static_cast<float>(core),
-              sums);
+  MedialVoxelKernel<SumOfMisfit>::Run(this->GetArrays(),
+                                      static_cast<float>(center),
+                                      static_cast<float>(0.5 * thickness),
+                                      static_cast<float>(1.0 / blur),
+                                      static_cast<float>(core),
+                                      sums);
   return { MedialVoxelSumOf(sums[0]), MedialVoxelSumOf(sums[1]), MedialVoxelSumOf(sums[2]) };
 }
 

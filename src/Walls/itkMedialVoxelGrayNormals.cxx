@@ -131,10 +131,19 @@ GetWindowWeight(const double d)
   return static_cast<float>(MedialVoxelNormalDistribution::Get().Density(d / WindowSigma));
 }
 
-/** The gradients of a block from its values and those around it, x fastest. */
-MEDIALVOXEL_FOR_PROCESSORS void
-FindGradients(const float * const values, float * const x, float * const y, float * const z)
+/** The gradients of a block from its values and those around it, x fastest, which get other levels first. */
+MEDIALVOXEL_INLINE void
+FindGradients(float * const values,
+              const double  background,
+              const double  scale,
+              float * const x,
+              float * const y,
+              float * const z)
 {
+  for (std::size_t i = 0; i < Outer * Outer * Outer; ++i)
+  {
+    values[i] = static_cast<float>((static_cast<double>(values[i]) - background) * scale);
+  }
   // Smoothed along one axis, and along two.
   std::array<float, Inner * Outer * Outer> once;
   std::array<float, Inner * Inner * Outer> twice;
@@ -161,9 +170,9 @@ struct Rows
   std::array<std::size_t, 2>   numbers;
 };
 
-/** Adds the products of gradients where they are inside the window. */
-MEDIALVOXEL_FOR_PROCESSORS void
-AddRows(const Rows & rows, const MedialVoxelIntegerLanes & isInside, RowSums & sums)
+/** Adds the products of gradients. Those before and after the window along x do not count in the end. */
+MEDIALVOXEL_INLINE void
+AddRows(const Rows & rows, RowSums & sums)
 {
   Lanes xx = sums[0];
   Lanes xy = sums[1];
@@ -177,9 +186,9 @@ AddRows(const Rows & rows, const MedialVoxelIntegerLanes & isInside, RowSums & s
     {
       const std::size_t row = (j * Inner + i) * Inner;
       const float       weight = rows.weights[0][i] * rows.weights[1][j];
-      const Lanes       x = MedialVoxelSelect(isInside, MedialVoxelLoad(rows.gradients[0] + row), Lanes{});
-      const Lanes       y = MedialVoxelSelect(isInside, MedialVoxelLoad(rows.gradients[1] + row), Lanes{});
-      const Lanes       z = MedialVoxelSelect(isInside, MedialVoxelLoad(rows.gradients[2] + row), Lanes{});
+      const Lanes       x = MedialVoxelLoad(rows.gradients[0] + row);
+      const Lanes       y = MedialVoxelLoad(rows.gradients[1] + row);
+      const Lanes       z = MedialVoxelLoad(rows.gradients[2] + row);
       const Lanes       weightedX = weight * x;
       const Lanes       weightedY = weight * y;
       const Lanes       weightedZ = weight * z;
@@ -202,21 +211,10 @@ struct MedialVoxelGrayNormals::Window
   MedialVoxelBox  box;
   const Weights & weights;
 
-  bool
-  HasInside(const unsigned int axis, const std::int64_t voxel) const
-  {
-    return voxel >= box.lower[axis] && voxel < box.upper[axis];
-  }
-
   /** Adds the rows of a block that are in the window. */
   void
   Add(const Block & block, const MedialVoxelIndex & origin, RowSums & sums) const
   {
-    MedialVoxelIntegerLanes isInside;
-    for (std::size_t i = 0; i < Inner; ++i)
-    {
-      isInside[i] = this->HasInside(0, origin[0] + static_cast<std::int64_t>(i)) ? -1 : 0;
-    }
     Rows        rows;
     std::size_t first = 0;
     std::size_t pitch = Inner;
@@ -233,7 +231,7 @@ struct MedialVoxelGrayNormals::Window
     {
       rows.gradients[axis] = block.gradient[axis].data() + first;
     }
-    AddRows(rows, isInside, sums);
+    MedialVoxelKernel<AddRows>::Run(rows, sums);
   }
 };
 
@@ -304,14 +302,11 @@ MedialVoxelGrayNormals::Compute(const MedialVoxelGray & gray, const MedialVoxelI
       {
         value[x] = isInside ? row[firstX + static_cast<std::int64_t>(x)] : row[places[x][0] - beginX];
       }
-      for (std::size_t x = 0; x < Outer; ++x)
-      {
-        value[x] = static_cast<float>((static_cast<double>(value[x]) - m_Background) * m_Scale);
-      }
       value += Outer;
     }
   }
-  FindGradients(values.data(), block.gradient[0].data(), block.gradient[1].data(), block.gradient[2].data());
+  MedialVoxelKernel<FindGradients>::Run(
+    values.data(), m_Background, m_Scale, block.gradient[0].data(), block.gradient[1].data(), block.gradient[2].data());
 }
 
 auto

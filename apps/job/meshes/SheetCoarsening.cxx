@@ -225,11 +225,12 @@ SheetCoarsening::MeasureDistances(const itk::MedialVoxelRemeshedSheet & coarse,
     itk::MedialVoxelDistanceHistogram                           points;
     std::vector<itk::MedialVoxelSheetDistances::SampleDistance> samples;
   };
-  // Samples are near the fine surface nearly always.
-  bool isFirst = true;
-  for (const double within : { GetLongestSide(coarse), itk::MedialVoxelSheetTree::Anywhere })
+  // Samples are near the fine surface nearly always, but for rims that were carried on.
+  const double side = GetLongestSide(coarse);
+  bool         isFirst = true;
+  for (const double within : { side, 4.0 * side, 16.0 * side, itk::MedialVoxelSheetTree::Anywhere })
   {
-    if (isFirst || !distances.IsComplete())
+    if (distances.BeginSamples(within))
     {
       OrderedWork<Measured>::Run(
         this->GetNumberOfParts(),
@@ -237,7 +238,7 @@ SheetCoarsening::MeasureDistances(const itk::MedialVoxelRemeshedSheet & coarse,
         [&](const std::uint64_t number, const Check &) {
           const itk::MedialVoxelSheet part = this->ReadPart(number).sheet;
           return Measured{ isFirst ? distances.MeasurePoints(part) : itk::MedialVoxelDistanceHistogram{},
-                           distances.MeasureSamples(part, within) };
+                           distances.MeasureSamples(part) };
         },
         [&](std::uint64_t, const Measured & measured) {
           distances.Add(measured.points);
