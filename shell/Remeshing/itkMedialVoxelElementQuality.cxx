@@ -17,7 +17,7 @@ namespace
 using Vector = MedialVoxelVector3;
 
 /** Aspect ratio that stands for a quality of 1. */
-constexpr double GoodAspect = 1.6;
+constexpr double GoodAspect = 1.3;
 
 template <std::size_t VCorners>
 std::array<Vector, VCorners>

@@ -43,7 +43,7 @@ MedialVoxelWarpage(const std::array<MedialVoxelVector3, 4> & corners);
 double
 MedialVoxelShellQuality(const std::array<MedialVoxelVector3, 3> & corners);
 
-/** The same for a quadrilateral: the least of the scaled Jacobian, 1.6 over the aspect ratio, and the flatness, which
+/** The same for a quadrilateral: the least of the scaled Jacobian, 1.3 over the aspect ratio, and the flatness, which
  * is 1 where the normals at all corners are the same, 0.8 for cosines of 0.9 between them, and 0.4 for 0.7. */
 double
 MedialVoxelShellQuality(const std::array<MedialVoxelVector3, 4> & corners);

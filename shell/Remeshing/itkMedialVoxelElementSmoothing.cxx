@@ -32,18 +32,6 @@ constexpr double Tolerance = 0.08;
 
 constexpr std::array<double, 3> Steps{ { 1.0, 0.5, 0.25 } };
 
-/** Of its corners. */
-Vector
-GetCenter(const Complex & complex, const Element & element)
-{
-  Vector center{};
-  for (unsigned int k = 0; k < element.numberOfCorners; ++k)
-  {
-    center = MedialVoxelAddScaled(center, complex.GetPoint(element.corners[k]), 1.0 / element.numberOfCorners);
-  }
-  return center;
-}
-
 /** \class Smoother
  * \brief The elements of each vertex, and the steps of one. */
 class Smoother
@@ -97,12 +85,9 @@ private:
   double
   GetLimit(const Element & element) const
   {
-    double size = 0.0;
-    for (unsigned int k = 0; k < element.numberOfCorners; ++k)
-    {
-      size = std::max(size, static_cast<double>(m_Complex.GetSize(element.corners[k])));
-    }
-    return std::max(Tolerance * size, m_Fine.FindOnWall(GetCenter(m_Complex, element), element.wall).distance);
+    const Vector middle = MedialVoxelElementMiddle(m_Complex, element);
+    return std::max(Tolerance * MedialVoxelLargestSize(m_Complex, element),
+                    m_Fine.FindOnWall(middle, element.wall).distance);
   }
 
   double
@@ -163,7 +148,7 @@ private:
       qualities.push_back(MedialVoxelShellQuality(m_Complex, element));
       least = std::min(least, qualities.back());
       if (!(least >= worst + LeastGain) || qualities.back() < std::min(LeastQuality, m_Qualities[number]) ||
-          !m_Fine.HasWallWithin(GetCenter(m_Complex, element), element.wall, m_Limits[number]))
+          !m_Fine.HasWallWithin(MedialVoxelElementMiddle(m_Complex, element), element.wall, m_Limits[number]))
       {
         return false;
       }

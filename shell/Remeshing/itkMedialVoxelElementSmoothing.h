@@ -13,7 +13,7 @@ namespace itk
 
 /** Moves vertices inside walls to where the worst of their elements is better; those of rims and junctions stay.
  *
- * Vertices move on the fine sheet, and the middles of their elements stay within a quarter of the size of it, or as
+ * Vertices move on the fine sheet, and the middles of their elements stay within 0.08 of the size of it, or as
  * near as they were. No element falls below 0.45 that was above.
  * \param complex its vertices move
  * \param wanted  quadrilaterals that are none yet, as they are not good enough; they become better with the others */

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelLoneTriangles.h"
 
+#include "itkMedialVoxelSheetTree.h"
+#include "itkMedialVoxelSheetVectors.h"
+
 #include <algorithm>
 
 namespace itk
@@ -9,16 +12,19 @@ namespace itk
 namespace
 {
 
+using Complex = MedialVoxelTriangleComplex;
 using Element = MedialVoxelShellElement;
 using Index = Element::Index;
 
 constexpr Index None = ~Index{ 0 };
 
-/** Of all elements that change. */
-constexpr double LeastQuality = 0.4;
-
 /** Quadrilaterals that a triangle may look at. */
 constexpr std::size_t MostQuads = 128;
+
+/** Of the size, where vertices become one: how long sides may be, and how far the middles of elements and rims may be
+ * away. */
+constexpr double MostOfLength = 1.8;
+constexpr double MostOfDistance = 0.08;
 
 Element
 MakeElement(const std::initializer_list<Index> corners, const Index wall)
@@ -35,8 +41,10 @@ MakeElement(const std::initializer_list<Index> corners, const Index wall)
 class Walk
 {
 public:
-  Walk(const MedialVoxelTriangleComplex & complex, std::vector<Element> & elements)
+  Walk(Complex & complex, const MedialVoxelFineSheet & fine, const double leastQuality, std::vector<Element> & elements)
     : m_Complex(complex)
+    , m_Fine(fine)
+    , m_LeastQuality(leastQuality)
     , m_Elements(elements)
     , m_ElementsOf(complex.GetNumberOfVertices())
     , m_IsSeen(elements.size())
@@ -48,7 +56,7 @@ public:
   }
 
   void
-  TryJoin(const Index triangle)
+  Join(const Index triangle)
   {
     if (m_Elements[triangle].numberOfCorners != 3)
     {
@@ -145,10 +153,10 @@ private:
   bool
   IsGood(const Element & element) const
   {
-    return MedialVoxelShellQuality(m_Complex, element) >= LeastQuality;
+    return MedialVoxelShellQuality(m_Complex, element) >= m_LeastQuality;
   }
 
-  /** Looks beyond the sides of the triangle of a way. \return whether it was joined */
+  /** Looks beyond the sides of the triangle of a way. \return whether it is gone */
   bool
   GoOn(const Index start, const Index way)
   {
@@ -159,6 +167,10 @@ private:
       const Index q = triangle.corners[(k + 1) % 3];
       const Index r = triangle.corners[(k + 2) % 3];
       const Index beyond = this->FindBeyond(p, q);
+      if (this->CountElements(p, q) == 1 && this->TryMerge(start, way, p, q))
+      {
+        return true;
+      }
       if (beyond == None || m_IsSeen[beyond])
       {
         continue;
@@ -171,7 +183,13 @@ private:
         const Element joined = MakeElement({ q, r, p, at(2) }, triangle.wall);
         if (this->IsGood(joined))
         {
-          this->Join(start, way, beyond, joined);
+          this->Follow(start, way);
+          this->Replace(start, joined);
+          this->Remove(beyond);
+          return true;
+        }
+        if (this->TryMerge(start, way, p, q))
+        {
           return true;
         }
         continue;
@@ -216,17 +234,145 @@ private:
     return false;
   }
 
-  /** Puts what the ways leave, and the triangle at their end together with another. */
+  /** Exchanges what there is with what the ways leave, or back again. */
   void
-  Join(const Index start, const Index last, const Index other, const Element & joined)
+  Follow(const Index start, const Index last)
   {
     for (Index way = last; m_Ways[way].quad != None; way = m_Ways[way].before)
     {
+      const Element before = m_Elements[m_Ways[way].quad];
       this->Replace(m_Ways[way].quad, m_Ways[way].rest);
+      m_Ways[way].rest = before;
     }
-    this->Replace(start, joined);
-    this->Detach(other);
-    m_Elements[other].numberOfCorners = 0;
+    const Element before = m_Elements[start];
+    this->Replace(start, m_Ways[last].triangle);
+    m_Ways[last].triangle = before;
+  }
+
+  /** Makes two vertices one, at a side of the triangle where the ways lead to. */
+  bool
+  TryMerge(const Index start, const Index last, const Index a, const Index b)
+  {
+    this->Follow(start, last);
+    const bool isMerged = this->TryPut(a, b) || this->TryPut(b, a);
+    if (!isMerged)
+    {
+      this->Follow(start, last);
+    }
+    return isMerged;
+  }
+
+  /** Puts a vertex on another one, where all elements stay good. Those of rims go along these. */
+  bool
+  TryPut(const Index from, const Index to)
+  {
+    const Complex::Place place = this->CountElements(from, to) == 1 ? Complex::Place::Rim : Complex::Place::Wall;
+    if (m_Complex.GetPlace(from) != place || !m_Complex.CanCollapse(from, to) || !this->KeepsRim(from, to))
+    {
+      return false;
+    }
+    const std::vector<Index> numbers = m_ElementsOf[from];
+    std::vector<Element>     changed;
+    for (const Index number : numbers)
+    {
+      changed.push_back(Put(m_Elements[number], from, to));
+    }
+    if (!std::all_of(changed.begin(), changed.end(), [&](const Element & e) { return this->IsGoodAndNear(e); }) ||
+        !this->KeepsSides(from, to))
+    {
+      return false;
+    }
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+    {
+      if (changed[k].numberOfCorners == 2)
+      {
+        this->Remove(numbers[k]);
+      }
+      else
+      {
+        this->Replace(numbers[k], changed[k]);
+      }
+    }
+    m_Complex.Collapse(from, to);
+    return true;
+  }
+
+  /** With two corners where a triangle has both vertices. */
+  static Element
+  Put(Element element, const Index from, const Index to)
+  {
+    const auto begin = element.corners.begin();
+    const auto end = begin + element.numberOfCorners;
+    if (std::find(begin, end, to) == end)
+    {
+      std::replace(begin, end, from, to);
+    }
+    else
+    {
+      element.numberOfCorners = static_cast<std::uint8_t>(std::remove(begin, end, from) - begin);
+    }
+    return element;
+  }
+
+  bool
+  IsGoodAndNear(const Element & element) const
+  {
+    return element.numberOfCorners == 2 ||
+           (this->IsGood(element) && m_Fine.HasWallWithin(MedialVoxelElementMiddle(m_Complex, element),
+                                                          element.wall,
+                                                          MostOfDistance * MedialVoxelLargestSize(m_Complex, element)));
+  }
+
+  /** Whether the place of a vertex stays near the rim, when it leaves that. */
+  bool
+  KeepsRim(const Index from, const Index to) const
+  {
+    const Complex::Neighbors neighbors = m_Complex.FindNeighbors(from);
+    return std::all_of(neighbors.begin(), neighbors.end(), [&](const Complex::Neighbor & neighbor) {
+      const auto & end = m_Complex.GetPoint(neighbor.vertex);
+      return neighbor.triangles == 2 || neighbor.vertex == to ||
+             MedialVoxelNorm(MedialVoxelSubtract(
+               MedialVoxelNearestOfTriangle(m_Complex.GetPoint(from), { { m_Complex.GetPoint(to), end, end } }),
+               m_Complex.GetPoint(from))) <= MostOfDistance * m_Complex.GetSize(from);
+    });
+  }
+
+  /** Whether the sides of a vertex can be those of another: they are not too long, and none is there already, but that
+   * of a triangle that goes. */
+  bool
+  KeepsSides(const Index from, const Index to) const
+  {
+    std::vector<Index> beside;
+    std::vector<Index> opposite; // in triangles of both
+    for (const Index number : m_ElementsOf[from])
+    {
+      const Element &    element = m_Elements[number];
+      const unsigned int corners = element.numberOfCorners;
+      for (unsigned int k = 0; k < corners; ++k)
+      {
+        const Index other = element.corners[k];
+        const Index next = element.corners[(k + 1) % corners];
+        const Index last = element.corners[(k + corners - 1) % corners];
+        if (other != to && (next == from || last == from))
+        {
+          (corners == 3 && (next == to || last == to) ? opposite : beside).push_back(other);
+        }
+      }
+    }
+    return std::all_of(beside.begin(), beside.end(), [&](const Index other) {
+      const double size = (m_Complex.GetSize(to) + m_Complex.GetSize(other)) / 2.0;
+      return (this->CountElements(to, other) == 0 ||
+              std::find(opposite.begin(), opposite.end(), other) != opposite.end()) &&
+             MedialVoxelNorm(MedialVoxelSubtract(m_Complex.GetPoint(to), m_Complex.GetPoint(other))) <=
+               MostOfLength * size;
+    });
+  }
+
+  void
+  Remove(const Index number)
+  {
+    this->Detach(number);
+    m_Elements[number].numberOfCorners = 0;
   }
 
   void
@@ -237,23 +383,28 @@ private:
     this->Attach(number);
   }
 
-  const MedialVoxelTriangleComplex & m_Complex;
-  std::vector<Element> &             m_Elements;
-  std::vector<std::vector<Index>>    m_ElementsOf;
-  std::vector<Way>                   m_Ways;
-  std::vector<bool>                  m_IsSeen; ///< of elements
-  std::vector<Index>                 m_Seen;
+  Complex &                       m_Complex;
+  const MedialVoxelFineSheet &    m_Fine;
+  double                          m_LeastQuality;
+  std::vector<Element> &          m_Elements;
+  std::vector<std::vector<Index>> m_ElementsOf;
+  std::vector<Way>                m_Ways;
+  std::vector<bool>               m_IsSeen; ///< of elements
+  std::vector<Index>              m_Seen;
 };
 
 } // namespace
 
 void
-MedialVoxelJoinLoneTriangles(const MedialVoxelTriangleComplex & complex, std::vector<Element> & elements)
+MedialVoxelJoinLoneTriangles(Complex &                    complex,
+                             const MedialVoxelFineSheet & fine,
+                             const double                 leastQuality,
+                             std::vector<Element> &       elements)
 {
-  Walk walk(complex, elements);
+  Walk walk(complex, fine, leastQuality, elements);
   for (Index number = 0; number < elements.size(); ++number)
   {
-    walk.TryJoin(number);
+    walk.Join(number);
   }
   elements.erase(std::remove_if(elements.begin(),
                                 elements.end(),

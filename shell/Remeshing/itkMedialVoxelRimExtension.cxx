@@ -4,6 +4,7 @@
 
 #include "itkMedialVoxelRimLines.h"
 #include "itkMedialVoxelSheetTree.h"
+#include "itkMedialVoxelSymmetricEquations.h"
 
 #include <algorithm>
 #include <cassert>
@@ -41,7 +42,11 @@ constexpr double ShareLeft = 0.6;
 constexpr double LongOfThickness = 1.0;
 constexpr double CornerOfThickness = 1.0;
 
+/** Of the way along a rim: how much more may be added there. */
+constexpr double MostOfSlope = 0.6;
+
 constexpr double SamePlace = 1e-6;
+constexpr double SmallOfShift = 1e-3;
 
 constexpr unsigned int Steps = 24;
 constexpr unsigned int MostRounds = 8;
@@ -53,39 +58,6 @@ Vector
 Scaled(const Vector & vector, const double factor)
 {
   return MedialVoxelAddScaled({}, vector, factor);
-}
-
-/** The vector of least length whose products with directions are lengths, in all but near-parallel directions. */
-Vector
-Solve(const std::vector<std::pair<Vector, double>> & equations)
-{
-  constexpr double                     small = 1e-3;
-  std::array<std::array<double, 4>, 3> rows{};
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    rows[i][i] = small;
-    for (const auto & [direction, length] : equations)
-    {
-      for (unsigned int j = 0; j < 3; ++j)
-      {
-        rows[i][j] += direction[i] * direction[j];
-      }
-      rows[i][3] += direction[i] * length;
-    }
-  }
-  // Positive definite: no exchange of rows is needed.
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    for (unsigned int k = 0; k < 3; ++k)
-    {
-      const double factor = k == i ? 0.0 : rows[k][i] / rows[i][i];
-      for (unsigned int j = i; j < 4; ++j)
-      {
-        rows[k][j] -= factor * rows[i][j];
-      }
-    }
-  }
-  return { { rows[0][3] / rows[0][0], rows[1][3] / rows[1][1], rows[2][3] / rows[2][2] } };
 }
 
 /** \class RimExtender
@@ -114,6 +86,7 @@ public:
     this->KeepClear();
     this->KeepNormals();
     this->KeepApart();
+    this->KeepEven();
     this->AddStrips(origins);
     return m_Summary;
   }
@@ -147,7 +120,8 @@ private:
         });
       });
       const double norm2 = MedialVoxelDot(sum, sum);
-      Vector       shift = isSmooth ? Scaled(sum, across * static_cast<double>(edges.size()) / norm2) : Solve(edges);
+      Vector       shift = isSmooth ? Scaled(sum, across * static_cast<double>(edges.size()) / norm2)
+                                    : MedialVoxelFindShift(edges, SmallOfShift);
       const double norm = MedialVoxelNorm(shift);
       m_Shifts[point] = norm > MostOfCorner * across ? Scaled(shift, MostOfCorner * across / norm) : shift;
       m_Across[point] = across;
@@ -214,8 +188,9 @@ private:
     {
       return;
     }
-    const Vector toCorner = Solve({ { first.outward, first.edge - MedialVoxelDot(start, first.outward) },
-                                    { last.outward, last.edge - MedialVoxelDot(start, last.outward) } });
+    const Vector toCorner = MedialVoxelFindShift({ { first.outward, first.edge - MedialVoxelDot(start, first.outward) },
+                                                   { last.outward, last.edge - MedialVoxelDot(start, last.outward) } },
+                                                 SmallOfShift);
     const Vector corner = MedialVoxelAddScaled(start, toCorner, 1.0);
     if (!m_Lines.IsInside(MedialVoxelMiddle(start, m_Lines.PointOf(points.back())), corner))
     {
@@ -381,6 +356,21 @@ private:
             this->Shorten(point, round + 1 < MostRounds ? ShareLeft : 0.0);
           }
         }
+      }
+    }
+  }
+
+  /** Shortens what is added where it is less to both sides along the rim, so that rims have no spikes. */
+  void
+  KeepEven()
+  {
+    const std::vector<double> across = m_Across;
+    for (Index point = 0; point < m_Lines.GetNumberOfPoints(); ++point)
+    {
+      const double most = m_Lines.FindMost(point, across, MostOfSlope);
+      if (most < across[point])
+      {
+        this->Shorten(point, most / across[point]);
       }
     }
   }

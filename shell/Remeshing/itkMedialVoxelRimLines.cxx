@@ -30,13 +30,6 @@ IsKnown(const double thickness)
   return thickness > 0.0 && std::isfinite(thickness);
 }
 
-Vector
-Normalized(const Vector & vector)
-{
-  const double norm = MedialVoxelNorm(vector);
-  return norm > 0.0 ? MedialVoxelAddScaled({}, vector, 1.0 / norm) : vector;
-}
-
 double
 GetMedian(std::vector<double> & values)
 {
@@ -141,7 +134,7 @@ MedialVoxelRimLines::FindWalls()
         }
       }
     }
-    side.normal = Normalized(side.normal);
+    side.normal = MedialVoxelNormalized(side.normal);
     side.thickness = inside.empty() ? most : GetMedian(inside);
   }
 }
@@ -157,7 +150,7 @@ MedialVoxelRimLines::FindLines()
         along, MedialVoxelSubtract(this->PointOf(side.b), this->PointOf(side.a)), turns ? -1.0 : 1.0);
     });
     RimSide & side = m_Rims[number];
-    side.outward = Normalized(MedialVoxelCross(along, side.normal));
+    side.outward = MedialVoxelNormalized(MedialVoxelCross(along, side.normal));
     const Triangle & corners = m_Sheet.triangles[side.triangle];
     for (const Index point : corners)
     {
@@ -229,12 +222,36 @@ MedialVoxelRimLines::GetLineLength(const std::size_t number) const
   return sum;
 }
 
+double
+MedialVoxelRimLines::FindMost(const Index point, const std::vector<double> & values, const double slope) const
+{
+  double most = m_SidesOf[point].size() == 2 ? 0.0 : values[point];
+  for (std::size_t k = 0; m_SidesOf[point].size() == 2 && k < 2; ++k)
+  {
+    double      ofSide = values[point];
+    double      way = 0.0;
+    Index       next = point;
+    std::size_t number = m_SidesOf[point][k];
+    do
+    {
+      const RimSide & side = m_Rims[number];
+      way += slope * MedialVoxelNorm(MedialVoxelSubtract(this->PointOf(side.b), this->PointOf(side.a)));
+      next = side.a == next ? side.b : side.a;
+      ofSide = m_SidesOf[next].size() == 2 ? std::min(ofSide, values[next] + way) : ofSide;
+      number = m_SidesOf[next][m_SidesOf[next][0] == number ? m_SidesOf[next].size() - 1 : 0];
+    } while (m_SidesOf[next].size() == 2 && next != point && way < ofSide);
+    most = std::max(most, ofSide);
+  }
+  return most;
+}
+
 bool
 MedialVoxelRimLines::IsInside(const Vector & start, const Vector & place) const
 {
   const Vector way = MedialVoxelSubtract(place, start);
   const double length = MedialVoxelNorm(way);
-  const auto   lengths = m_Measure ? m_Measure({ { start }, Normalized(way), length }) : std::vector<double>(1, length);
+  const auto   lengths =
+    m_Measure ? m_Measure({ { start }, MedialVoxelNormalized(way), length }) : std::vector<double>(1, length);
   return !(lengths[0] < InsideOfCorner * length);
 }
 

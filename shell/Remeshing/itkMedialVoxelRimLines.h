@@ -92,6 +92,12 @@ public:
   double
   GetLineLength(std::size_t number) const;
 
+  /** The most that a value at a point of a rim may be, so that it is no peak: less than the value at each point to one
+   * side, and a slope of the way there. Ends of rims do not count.
+   * \param values of the points, at least 0 */
+  double
+  FindMost(Index point, const std::vector<double> & values, double slope) const;
+
   /** Whether the part goes on to nearly a place; true where the surface is not known. */
   bool
   IsInside(const Vector & start, const Vector & place) const;

@@ -15,6 +15,14 @@ MedialVoxelAddScaled(const MedialVoxelVector3 & a, const MedialVoxelVector3 & b,
   return { { a[0] + weight * b[0], a[1] + weight * b[1], a[2] + weight * b[2] } };
 }
 
+/** Of length 1, unless it is zero. */
+inline MedialVoxelVector3
+MedialVoxelNormalized(const MedialVoxelVector3 & vector)
+{
+  const double length = MedialVoxelNorm(vector);
+  return length > 0.0 ? MedialVoxelAddScaled({}, vector, 1.0 / length) : vector;
+}
+
 inline MedialVoxelVector3
 MedialVoxelMiddle(const MedialVoxelVector3 & a, const MedialVoxelVector3 & b)
 {

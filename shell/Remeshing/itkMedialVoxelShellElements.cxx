@@ -6,8 +6,7 @@
 #include "itkMedialVoxelElementSmoothing.h"
 #include "itkMedialVoxelLoneTriangles.h"
 #include "itkMedialVoxelPairing.h"
-#include "itkMedialVoxelLoneTriangles.h"
-#include "itkMedialVoxelPairing.h"
+#include "itkMedialVoxelSheetVectors.h"
 
 #include <algorithm>
 #include <cassert>
@@ -23,7 +22,7 @@ using Triangle = Complex::Triangle;
 
 constexpr unsigned int Rounds = 3;
 
-/** Quadrilaterals are made of triangles where their quality reaches one of these, the best first. */
+/** Quadrilaterals are made where their quality reaches one of these, the best first. */
 constexpr std::array<double, 4> QualitySteps{ { 0.8, 0.6, 0.5, 0.4 } };
 
 /** Whether a triangle goes from a to b. */
@@ -250,6 +249,28 @@ MedialVoxelOrientWalls(const Complex & complex, std::vector<Triangle> & corners)
   return conflicts;
 }
 
+MedialVoxelVector3
+MedialVoxelElementMiddle(const Complex & complex, const MedialVoxelShellElement & element)
+{
+  MedialVoxelVector3 middle{};
+  for (unsigned int k = 0; k < element.numberOfCorners; ++k)
+  {
+    middle = MedialVoxelAddScaled(middle, complex.GetPoint(element.corners[k]), 1.0 / element.numberOfCorners);
+  }
+  return middle;
+}
+
+double
+MedialVoxelLargestSize(const Complex & complex, const MedialVoxelShellElement & element)
+{
+  float size = 0.0F;
+  for (unsigned int k = 0; k < element.numberOfCorners; ++k)
+  {
+    size = std::max(size, complex.GetSize(element.corners[k]));
+  }
+  return size;
+}
+
 double
 MedialVoxelShellQuality(const Complex & complex, const MedialVoxelShellElement & element)
 {
@@ -273,9 +294,9 @@ MedialVoxelMakeElements(Complex &                     complex,
     MedialVoxelSmoothElements(complex, fine, joiner.ListElements(), joiner.ListWanted());
   }
   std::vector<MedialVoxelShellElement> elements = joiner.ListElements();
-  for (unsigned int round = 0; joins && round < Rounds; ++round)
+  for (std::size_t step = 1; joins && step < QualitySteps.size(); ++step)
   {
-    MedialVoxelJoinLoneTriangles(complex, elements);
+    MedialVoxelJoinLoneTriangles(complex, fine, QualitySteps[step], elements);
     MedialVoxelSmoothElements(complex, fine, elements, {});
   }
   MarkSides(elements);

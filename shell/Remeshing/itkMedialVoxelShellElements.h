@@ -31,6 +31,14 @@ std::uint64_t
 MedialVoxelOrientWalls(const MedialVoxelTriangleComplex &                  complex,
                        std::vector<MedialVoxelTriangleComplex::Triangle> & corners);
 
+/** The mean place of its corners. */
+MedialVoxelVector3
+MedialVoxelElementMiddle(const MedialVoxelTriangleComplex & complex, const MedialVoxelShellElement & element);
+
+/** The largest size at its corners. */
+double
+MedialVoxelLargestSize(const MedialVoxelTriangleComplex & complex, const MedialVoxelShellElement & element);
+
 /** Of an element, by the places of its corners. */
 double
 MedialVoxelShellQuality(const MedialVoxelTriangleComplex & complex, const MedialVoxelShellElement & element);

@@ -4,6 +4,7 @@
 
 #include "itkMedialVoxelElementQuality.h"
 #include "itkMedialVoxelSheetVectors.h"
+#include "itkMedialVoxelSymmetricEquations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +33,9 @@ constexpr double LeastCosine = 0.7;
 /** In noises, that nodes move at most. */
 constexpr double MostMove = 2.0;
 
+/** Of the squared angle of walls that count as one. */
+constexpr double SmallOfShift = 0.02;
+
 /** A quadric of a larger round leaves so much more than that of a smaller one at most, unless both are small, in
  * noises: walls are not round far around. */
 constexpr double GrowthOfRest = 1.2;
@@ -58,63 +62,12 @@ GetCorners(const std::vector<Vector> & points, const Element & element)
   return corners;
 }
 
-Vector
-Normalize(const Vector & vector)
-{
-  const double length = MedialVoxelNorm(vector);
-  return length > 0.0 ? MedialVoxelAddScaled({}, vector, 1.0 / length) : vector;
-}
-
-/** Solves equations of a symmetric matrix, which the numbers take the place of; false: they have no one solution. */
-template <std::size_t VSize>
-bool
-SolveInPlace(std::array<std::array<double, VSize>, VSize> & matrix,
-             std::array<double, VSize> &                    values,
-             const std::size_t                              size)
-{
-  // Cholesky, with the lower triangle in place.
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    const double diagonal = matrix[i][i];
-    for (std::size_t j = 0; j <= i; ++j)
-    {
-      double sum = matrix[i][j];
-      for (std::size_t k = 0; k < j; ++k)
-      {
-        sum -= matrix[i][k] * matrix[j][k];
-      }
-      if (i == j && !(sum > 1e-9 * diagonal))
-      {
-        return false;
-      }
-      matrix[i][j] = i == j ? std::sqrt(sum) : sum / matrix[j][j];
-    }
-  }
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    for (std::size_t k = 0; k < i; ++k)
-    {
-      values[i] -= matrix[i][k] * values[k];
-    }
-    values[i] /= matrix[i][i];
-  }
-  for (std::size_t i = size; i-- > 0;)
-  {
-    for (std::size_t k = i + 1; k < size; ++k)
-    {
-      values[i] -= matrix[k][i] * values[k];
-    }
-    values[i] /= matrix[i][i];
-  }
-  return true;
-}
-
 /** Two directions across to a normal and to each other. */
 std::array<Vector, 2>
 GetAxes(const Vector & normal)
 {
   const Vector some = std::abs(normal[0]) < 0.6 ? Vector{ { 1, 0, 0 } } : Vector{ { 0, 1, 0 } };
-  const Vector u = Normalize(MedialVoxelCross(normal, some));
+  const Vector u = MedialVoxelNormalized(MedialVoxelCross(normal, some));
   return { { u, MedialVoxelCross(normal, u) } };
 }
 
@@ -151,7 +104,7 @@ MedialVoxelWallFitting::Equations::Solve(const std::size_t numbers) const
 {
   auto left = matrix;
   auto solution = values;
-  if (number < ElementsPerNumber * numbers || !SolveInPlace(left, solution, numbers))
+  if (number < ElementsPerNumber * numbers || !MedialVoxelSolveInPlace(left, solution, numbers))
   {
     return {};
   }
@@ -190,7 +143,7 @@ MedialVoxelWallFitting::MedialVoxelWallFitting(const MedialVoxelRemeshedSheet & 
       m_ElementOf.push_back(number);
     }
     m_Middles.push_back(middle);
-    m_Normals.push_back(Normalize(normal));
+    m_Normals.push_back(MedialVoxelNormalized(normal));
     m_Sums.push_back({ number, 0.0, {}, {} });
   }
   m_Triangles =
@@ -408,15 +361,10 @@ MedialVoxelWallFitting::FindHeight(const Frame &              frame,
 MedialVoxelWallFitting::Point
 MedialVoxelWallFitting::FindPlace(const Index node)
 {
-  const Point &                        place = m_Sheet.points[node];
-  const double                         size = this->GetSize(node);
-  std::vector<Index>                   left = m_ElementsOf[node];
-  std::array<std::array<double, 3>, 3> matrix{};
-  std::array<double, 3>                values{};
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    matrix[axis][axis] = 0.02;
-  }
+  const Point &                         place = m_Sheet.points[node];
+  const double                          size = this->GetSize(node);
+  std::vector<Index>                    left = m_ElementsOf[node];
+  std::vector<std::pair<Point, double>> heights;
   while (!left.empty())
   {
     // Those of the node's elements that sides of two join.
@@ -440,27 +388,18 @@ MedialVoxelWallFitting::FindPlace(const Index node)
       const Point & other = m_Normals[fan[k]];
       normal = MedialVoxelAddScaled(normal, other, MedialVoxelDot(other, m_Normals[fan.front()]) < 0.0 ? -1.0 : 1.0);
     }
-    normal = Normalize(normal);
+    normal = MedialVoxelNormalized(normal);
     const bool isInside = std::all_of(fan.begin(), fan.end(), [&](const Index element) {
       return m_Sheet.elements[element].rimSides == 0 && m_Sheet.elements[element].junctionSides == 0;
     });
     double     height = 0.0;
-    if (!this->FindHeight({ place, normal, GetAxes(normal), size }, fan, isInside, height))
+    if (this->FindHeight({ place, normal, GetAxes(normal), size }, fan, isInside, height))
     {
-      continue;
-    }
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      values[i] += normal[i] * height;
-      for (unsigned int k = 0; k < 3; ++k)
-      {
-        matrix[i][k] += normal[i] * normal[k];
-      }
+      heights.emplace_back(normal, height);
     }
   }
-  const bool   isSolved = SolveInPlace(matrix, values, 3);
-  const double length = MedialVoxelNorm(values);
-  return isSolved && length <= MostMove * m_Noise ? MedialVoxelAddScaled(place, values, 1.0) : place;
+  const Vector shift = MedialVoxelFindShift(heights, SmallOfShift);
+  return MedialVoxelNorm(shift) <= MostMove * m_Noise ? MedialVoxelAddScaled(place, shift, 1.0) : place;
 }
 
 std::vector<MedialVoxelWallFitting::Point>

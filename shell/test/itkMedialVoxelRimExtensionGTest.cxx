@@ -308,6 +308,47 @@ TEST(MedialVoxelRimExtension, StripsStopBeforeOtherRimsAndWalls)
   }
 }
 
+/** A wall stands before a rim, but for a gap: what is added there is a slope on one side at least. */
+TEST(MedialVoxelRimExtension, GapsMakeNoSpikes)
+{
+  itk::MedialVoxelSheet sheet = MakeSheet(15, Everywhere);
+  for (const auto & [begin, end] : { std::pair(-2.0, 12.5), std::pair(15.5, 32.0) })
+  {
+    const auto first = static_cast<std::uint32_t>(sheet.points.size());
+    for (const double z : { -3.0, 3.0 })
+    {
+      sheet.points.push_back({ { begin, -1.0, z } });
+      sheet.points.push_back({ { end, -1.0, z } });
+    }
+    sheet.AddQuad({ { first, first + 1, first + 3, first + 2 } });
+  }
+  sheet.thickness.resize(sheet.points.size(), std::numeric_limits<float>::quiet_NaN()); // of that wall
+  std::vector<std::uint32_t> origins;
+  const auto                 summary = itk::MedialVoxelExtendRims(sheet, {}, {}, origins);
+  EXPECT_GT(summary.cutBack, 0u);
+  std::array<double, 16> added{};
+  for (std::size_t point = 0; point < origins.size(); ++point)
+  {
+    if (origins[point] < added.size())
+    {
+      added[origins[point]] = std::max(added[origins[point]], -sheet.points[point][1]);
+    }
+  }
+  EXPECT_GT(*std::max_element(added.begin(), added.end()), 1.0);
+  for (std::size_t point = 2; point + 2 < added.size(); ++point)
+  {
+    const auto getMost = [&](const std::ptrdiff_t step) {
+      double most = added[point];
+      for (auto k = static_cast<std::ptrdiff_t>(point) + step, n = 1L; k > 0 && k < 15; k += step, ++n)
+      {
+        most = std::min(most, added[static_cast<std::size_t>(k)] + 0.6 * 2.0 * static_cast<double>(n));
+      }
+      return most;
+    };
+    EXPECT_LE(added[point], std::max(getMost(-1), getMost(1)) + 1e-5);
+  }
+}
+
 TEST(MedialVoxelRimExtension, UnknownThicknessAddsNothing)
 {
   itk::MedialVoxelSheet sheet = MakeSheet(5, Everywhere);

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 namespace
 {
@@ -40,61 +41,133 @@ FacesOf(const Complex & complex, const std::vector<Element> & elements)
   return faces;
 }
 
+/** Elements, and a sheet of the same, or above them. */
+class Model
+{
+public:
+  Model(const std::vector<Vector3> & points, const std::vector<std::vector<std::uint32_t>> & corners, double lift = 0.0)
+  {
+    itk::MedialVoxelSheet sheet;
+    for (const Vector3 & point : points)
+    {
+      sheet.points.push_back({ { point[0], point[1], point[2] + lift } });
+      sheet.thickness.push_back(1.0f);
+      complex.GetVertex(complex.AddVertex(point)).size = 1.0f;
+    }
+    for (const auto & list : corners)
+    {
+      elements.push_back(MakeElement(list));
+      for (std::size_t k = 2; k < list.size(); ++k)
+      {
+        sheet.triangles.push_back({ { list[0], list[k - 1], list[k] } });
+        complex.AddTriangle(sheet.triangles.back(), 0);
+      }
+    }
+    m_Fine = std::make_unique<itk::MedialVoxelFineSheet>(sheet, itk::MedialVoxelElementSize{ 1.0 });
+  }
+
+  /** \return the elements after it, all of which that are new are good; sizes and topology are the same */
+  std::size_t
+  JoinLoneTriangles()
+  {
+    const Faces before = FacesOf(complex, elements);
+    itk::MedialVoxelJoinLoneTriangles(complex, *m_Fine, 0.4, elements);
+    const Faces after = FacesOf(complex, elements);
+    EXPECT_EQ(after.GetEulerNumber(), before.GetEulerNumber());
+    EXPECT_NEAR(after.GetArea(), before.GetArea(), 1e-12);
+    for (const Element & element : elements)
+    {
+      EXPECT_GE(itk::MedialVoxelShellQuality(complex, element), 0.4);
+    }
+    return elements.size();
+  }
+
+  std::size_t
+  CountTriangles() const
+  {
+    return static_cast<std::size_t>(
+      std::count_if(elements.begin(), elements.end(), [](const Element & e) { return e.numberOfCorners == 3; }));
+  }
+
+  Complex              complex;
+  std::vector<Element> elements;
+
+private:
+  std::unique_ptr<itk::MedialVoxelFineSheet> m_Fine;
+};
+
 /** A strip with a half square, whole squares and a half square: both halves meet, whatever is between. */
 TEST(MedialVoxelLoneTriangles, MeetThroughQuadrilaterals)
 {
   for (std::uint32_t squares = 1; squares < 30; ++squares)
   {
-    Complex    complex;
-    const auto columns = squares + 2;
-    for (std::uint32_t x = 0; x < columns; ++x)
+    std::vector<Vector3> points;
+    for (std::uint32_t x = 0; x < squares + 2; ++x)
     {
-      complex.AddVertex({ { double(x), 0.0, 0.0 } });
-      complex.AddVertex({ { double(x), 1.0, 0.0 } });
+      points.push_back({ { double(x), 0.0, 0.0 } });
+      points.push_back({ { double(x), 1.0, 0.0 } });
     }
-    std::vector<Element> elements{ MakeElement({ 1, 2, 3 }) }; // the strip begins without its corner 0
+    std::vector<std::vector<std::uint32_t>> corners{ { 1, 2, 3 } }; // the strip begins without its corner 0
     for (std::uint32_t x = 1; x < squares; ++x)
     {
-      elements.push_back(MakeElement({ 2 * x, 2 * x + 2, 2 * x + 3, 2 * x + 1 }));
+      corners.push_back({ 2 * x, 2 * x + 2, 2 * x + 3, 2 * x + 1 });
     }
-    elements.push_back(MakeElement({ 2 * squares, 2 * squares + 2, 2 * squares + 1 })); // and ends without its last one
-    const Faces before = FacesOf(complex, elements);
-    itk::MedialVoxelJoinLoneTriangles(complex, elements);
-    const Faces after = FacesOf(complex, elements);
-    EXPECT_EQ(elements.size(), squares);
-    for (const Element & element : elements)
-    {
-      EXPECT_EQ(element.numberOfCorners, 4);
-      EXPECT_GE(itk::MedialVoxelShellQuality(complex, element), 0.4);
-    }
-    EXPECT_EQ(after.GetEulerNumber(), 1);
-    EXPECT_NEAR(after.GetArea(), before.GetArea(), 1e-12);
-    EXPECT_EQ(after.ListMiddles(false), before.ListMiddles(false)); // the same outline
+    corners.push_back({ 2 * squares, 2 * squares + 2, 2 * squares + 1 }); // and ends without its last one
+    Model      model(points, corners);
+    const auto outline = FacesOf(model.complex, model.elements).ListMiddles(false);
+    EXPECT_EQ(model.JoinLoneTriangles(), squares);
+    EXPECT_EQ(model.CountTriangles(), 0u);
+    EXPECT_EQ(FacesOf(model.complex, model.elements).ListMiddles(false), outline);
   }
 }
 
-/** No way leads over a junction, or to another triangle that is not there. */
+/** No way leads over a junction, or to another triangle that is not there; and points of rims stay. */
 TEST(MedialVoxelLoneTriangles, StayWhereNoOtherIs)
 {
-  Complex complex;
-  for (const Vector3 & point : std::vector<Vector3>{ { { 0, 0, 0 } },
-                                                     { { 1, 0, 0 } },
-                                                     { { 1, 1, 0 } },
-                                                     { { 0, 1, 0 } },
-                                                     { { 2, 0.5, 0 } },
-                                                     { { 1, 0.5, 1 } },
-                                                     { { -1, 0.5, 0 } } })
+  const std::vector<Vector3> points{ { { 0, 0, 0 } },   { { 1, 0, 0 } },   { { 1, 1, 0 } },   { { 0, 1, 0 } },
+                                     { { 2, 0.5, 0 } }, { { 1, 0.5, 1 } }, { { -1, 0.5, 0 } } };
+  EXPECT_EQ(Model(points, { { 0, 1, 2, 3 }, { 1, 4, 2 } }).JoinLoneTriangles(), 2u);
+  EXPECT_EQ(Model(points, { { 0, 3, 6 }, { 0, 1, 2, 3 }, { 1, 4, 2 }, { 1, 5, 2 } }).JoinLoneTriangles(), 4u);
+}
+
+/** A strip of squares with a triangle at one rim: it goes, but not where the rim has a corner, or the sheet is away. */
+TEST(MedialVoxelLoneTriangles, GoAtStraightRims)
+{
+  for (const auto & [height, lift] : { std::pair(0.0, 0.0), std::pair(0.5, 0.0), std::pair(0.0, 0.1) })
   {
-    complex.AddVertex(point);
+    Model      model({ { { 0, 0, 0 } },
+                       { { 1, 0, 0 } },
+                       { { 2, 0, 0 } },
+                       { { 3, 0, 0 } },
+                       { { 0, 1, 0 } },
+                       { { 0.9, 1, 0 } },
+                       { { 1.5, 1 + height, 0 } },
+                       { { 2.1, 1, 0 } },
+                       { { 3, 1, 0 } } },
+                     { { 0, 1, 5, 4 }, { 1, 6, 5 }, { 1, 2, 7, 6 }, { 2, 3, 8, 7 } },
+                lift);
+    const bool goes = height + lift == 0;
+    EXPECT_EQ(model.JoinLoneTriangles(), goes ? 3u : 4u);
+    EXPECT_EQ(model.CountTriangles(), goes ? 0u : 1u);
   }
-  std::vector<Element> alone{ MakeElement({ 0, 1, 2, 3 }), MakeElement({ 1, 4, 2 }) };
-  itk::MedialVoxelJoinLoneTriangles(complex, alone);
-  EXPECT_EQ(alone.size(), 2u);
-  std::vector<Element> junction{
-    MakeElement({ 0, 3, 6 }), MakeElement({ 0, 1, 2, 3 }), MakeElement({ 1, 4, 2 }), MakeElement({ 1, 5, 2 })
-  };
-  itk::MedialVoxelJoinLoneTriangles(complex, junction);
-  EXPECT_EQ(junction.size(), 4u);
+}
+
+/** Two needles back to back between four squares: they are no quadrilateral, and their side becomes a point. */
+TEST(MedialVoxelLoneTriangles, NeedlesBecomeALine)
+{
+  Model model({ { { 0, -0.15, 0 } },
+                { { 0, 0.15, 0 } },
+                { { -1, 0, 0 } },
+                { { 1, 0, 0 } },
+                { { -1, 1, 0 } },
+                { { 0, 1, 0 } },
+                { { 1, 1, 0 } },
+                { { -1, -1, 0 } },
+                { { 0, -1, 0 } },
+                { { 1, -1, 0 } } },
+              { { 0, 1, 2 }, { 0, 3, 1 }, { 2, 1, 5, 4 }, { 1, 3, 6, 5 }, { 7, 8, 0, 2 }, { 8, 9, 3, 0 } });
+  EXPECT_EQ(model.JoinLoneTriangles(), 4u);
+  EXPECT_EQ(model.CountTriangles(), 0u);
 }
 
 /** A square of triangles whose inner vertices were pushed about: all but few become quadrilaterals, on the plane. */
