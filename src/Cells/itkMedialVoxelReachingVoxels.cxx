@@ -110,7 +110,10 @@ FindNeighbors(const MedialVoxelBits & object,
 class MedialVoxelReachingVoxels::Search
 {
 public:
-  Search(const MedialVoxelBits & object, const MedialVoxelBox & corners, const MedialVoxelBits & reaching)
+  Search(const MedialVoxelReachingVoxels & owner,
+         const MedialVoxelBits &           object,
+         const MedialVoxelBox &            corners,
+         const MedialVoxelBits &           reaching)
     : m_Object(object)
     , m_Corners(corners)
     , m_FirstWord(reaching.GetFirstWord())
@@ -264,7 +267,7 @@ MedialVoxelReachingVoxels::Find(const MedialVoxelBits & object,
   {
     corners.upper[axis] += m_Grid.GetUnitMargin()[axis];
   }
-  Search             search(object, corners, reaching);
+  Search             search(*this, object, corners, reaching);
   const std::int64_t first = reaching.GetFirstWord();
   MedialVoxelBox     found;
   for (std::int64_t z = voxels.lower[2]; z < voxels.upper[2]; ++z)
