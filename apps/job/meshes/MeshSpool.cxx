@@ -169,8 +169,9 @@ MeshSpool::PutFaces(std::uint64_t first, const std::vector<MeshFace> & faces)
     for (std::size_t k = 0; k < 4; ++k)
     {
       corners[i][k] = static_cast<std::uint32_t>(face.vertices[k]);
-      largest = std::max(largest, face.vertices[k]);
     }
+    const auto end = face.vertices.begin() + face.numberOfVertices;
+    largest = std::max(largest, *std::max_element(face.vertices.begin(), end));
     marks[i] = { static_cast<float>(face.area), face.numberOfVertices, face.rimEdges, face.junctionEdges, face.isCap };
     triangles += face.numberOfVertices == 3 ? 1 : 0;
   }
