@@ -64,7 +64,7 @@ public:
     /** Sets the bits of the object voxels of a box, and its values. */
     std::function<void(const MedialVoxelBox & box, MedialVoxelBits & object, MedialVoxelGray & gray)> fill;
 
-    /** Calls \a work for each of the boxes, in any order, also in several threads, which take 4 MiB each. */
+    /** Calls \a work for each of the boxes, in any order, also in several threads, which take 7 MiB each. */
     std::function<void(const Boxes & boxes, const Work & work)> forEach;
 
     /** Called with the share of the blocks that was read, from 0 to 1, one call at a time; may throw to abort. */

@@ -99,14 +99,25 @@ IsBefore(const itk::MedialVoxelSurfaceCell & a, const itk::MedialVoxelSurfaceCel
          (a.index == b.index && (a.quads & -a.quads) < (b.quads & -b.quads));
 }
 
-/** The surface that sorted cells make. */
+/** The surface that sorted cells make, of batches whose tasks run in the wrong order. */
 inline void
 FillSurface(const itk::MedialVoxelSurfacePlacement &         placement,
             const Vector3 &                                  spacing,
             const std::vector<itk::MedialVoxelSurfaceCell> & cells,
-            Surface &                                        surface)
+            Surface &                                        surface,
+            const std::size_t                                verticesOfBatch = 0)
 {
   itk::MedialVoxelSurfaceBuilder builder(placement, spacing, surface);
+  if (verticesOfBatch > 0)
+  {
+    const auto backwards = [](std::size_t count, const auto & task) {
+      while (count > 0)
+      {
+        task(--count);
+      }
+    };
+    builder.RunTasksWith(backwards, verticesOfBatch);
+  }
   itk::MedialVoxelSurfaceTrimmer trimmer(builder);
   for (auto begin = cells.begin(); begin != cells.end();)
   {

@@ -242,6 +242,30 @@ TEST(MedialVoxelSurfaceBuilder, SmoothsAsOnTheWholeMesh)
   }
 }
 
+TEST(MedialVoxelSurfaceBuilder, BatchesAndTheOrderOfTasksChangeNothing)
+{
+  const Volume  volume = TestVolume();
+  const auto    cells = SortedCells(volume, 3.0);
+  const Surface alone = MakeSurface(volume, 3.0);
+  for (const std::size_t verticesOfBatch : { 1u, 50u, 700u, 1u << 17 })
+  {
+    Surface surface;
+    FillSurface(PlacementOf(volume), volume.spacing, cells, surface, verticesOfBatch);
+    ASSERT_EQ(surface.vertices.size(), alone.vertices.size());
+    ASSERT_EQ(surface.quads.size(), alone.quads.size());
+    for (std::size_t i = 0; i < alone.vertices.size(); ++i)
+    {
+      EXPECT_EQ(surface.vertices[i].point, alone.vertices[i].point);
+      EXPECT_EQ(surface.vertices[i].thickness, alone.vertices[i].thickness);
+    }
+    for (std::size_t i = 0; i < alone.quads.size(); ++i)
+    {
+      EXPECT_EQ(surface.quads[i].vertices, alone.quads[i].vertices);
+      EXPECT_EQ(surface.quads[i].areas, alone.quads[i].areas);
+    }
+  }
+}
+
 TEST(MedialVoxelSurfaceBuilder, SidesSayWhetherTheyAreRimOrJunction)
 {
   const Surface surface = MakeSurface(TestVolume(), 3.0);

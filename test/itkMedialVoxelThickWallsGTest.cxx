@@ -49,8 +49,7 @@ FindNeededMaximum(
     box.upper[1] = std::min(box.lower[1] + rows, image.upper[1]);
     walls.Add(object, box);
   }
-  const auto runHere = [](unsigned int, const std::function<void()> & work) { work(); };
-  return walls.FindNeededMaximum(runHere, checkAbort);
+  return walls.FindNeededMaximum(checkAbort);
 }
 
 /** The volume of a hollow box whose walls all have one thickness. */

@@ -181,11 +181,7 @@ MedialVoxelObjectInput::Prepare(const Observer & observer)
   }
   if (walls)
   {
-    const auto run = [&](const unsigned int count, const auto & work) {
-      const std::vector<MedialVoxelBox> each(count, m_Image);
-      source.ForEach({ each.data(), each.data() + count }, count, [&work](const auto &) { work(); });
-    };
-    m_NeededMaximum = walls->FindNeededMaximum(run, [&observer] { observer(1.0); });
+    m_NeededMaximum = walls->FindNeededMaximum([&observer] { observer(1.0); });
   }
 }
 
@@ -239,7 +235,7 @@ MedialVoxelObjectInput::SurveyScan(const MedialVoxelGrid &                      
                                    const Observer &                             observer)
 {
   // With these, the survey stays below the smallest memory limit.
-  constexpr unsigned int mostThreads = 10;
+  constexpr unsigned int mostThreads = 5;
   if (std::isfinite(lower) == std::isfinite(upper))
   {
     return { {}, "there are two thresholds" };

@@ -10,7 +10,6 @@
 #include <cassert>
 #include <cmath>
 #include <exception>
-#include <mutex>
 #include <vector>
 
 namespace itk
@@ -75,34 +74,22 @@ CountRow(const WordType * row, const std::int64_t words, const std::int64_t step
   }
 }
 
-/** Threads at a time, each with memory of its own. */
-constexpr unsigned int MostThreads = 4;
-
-/** Parts of a face of a voxel, in which areas are counted: whole numbers do not depend on their order. */
-constexpr double UnitsPerFace = 1048576.0;
-
 /** \class WallAreas
- * \brief Takes the walls of a run: their area by thickness. */
+ * \brief Takes the walls of a run in the calling thread: their area by thickness. */
 class WallAreas : public MedialVoxelEngineClient
 {
 public:
-  /** \param binWidth of thickness \param face area of a voxel's */
-  WallAreas(const double                            binWidth,
-            const std::size_t                       numberOfBins,
-            const double                            face,
-            const MedialVoxelThickWalls::RunWorks & run,
-            const std::function<void()> &           checkAbort)
+  /** \param binWidth of thickness */
+  WallAreas(const double binWidth, const std::size_t numberOfBins, const std::function<void()> & checkAbort)
     : m_BinWidth(binWidth)
-    , m_Unit(face / UnitsPerFace)
     , m_Areas(numberOfBins)
-    , m_Run(run)
     , m_CheckAbort(checkAbort)
   {}
 
   void
-  RunWorkers(const unsigned int numberOfWorkers, const std::function<void()> & work) override
+  RunWorkers(unsigned int, const std::function<void()> & work) override
   {
-    m_Run(numberOfWorkers, work);
+    work();
   }
 
   void
@@ -112,15 +99,13 @@ public:
     {
       return;
     }
-    const std::lock_guard<std::mutex> lock(m_Mutex);
     for (const MedialVoxelWall & wall : *tile.walls)
     {
       const auto bin = static_cast<std::size_t>(static_cast<double>(wall.thickness) / m_BinWidth);
       if (wall.IsMeasured())
       {
-        const double area = std::round(static_cast<double>(wall.area) / m_Unit);
-        m_Total += area;
-        bin < m_Areas.size() ? m_Areas[bin] += area : 0.0;
+        m_Total += static_cast<double>(wall.area);
+        bin < m_Areas.size() ? m_Areas[bin] += static_cast<double>(wall.area) : 0.0;
       }
     }
   }
@@ -156,7 +141,7 @@ public:
       area += m_Areas[bin];
       volume += m_Areas[bin] * (static_cast<double>(bin) + 0.5) * m_BinWidth;
     }
-    return area > 0.0 && area >= EnoughArea * m_Total && volume * m_Unit >= EnoughVolume * objectVolume;
+    return area > 0.0 && area >= EnoughArea * m_Total && volume >= EnoughVolume * objectVolume;
   }
 
   /** The thickness below which this share of the area is. */
@@ -178,14 +163,11 @@ public:
   }
 
 private:
-  double                          m_BinWidth;
-  double                          m_Unit;
-  std::mutex                      m_Mutex; ///< of the areas, in units
-  double                          m_Total{ 0.0 };
-  std::vector<double>             m_Areas;
-  MedialVoxelThickWalls::RunWorks m_Run;
-  std::function<void()>           m_CheckAbort;
-  mutable std::exception_ptr      m_Abort;
+  double                     m_BinWidth;
+  double                     m_Total{ 0.0 };
+  std::vector<double>        m_Areas;
+  std::function<void()>      m_CheckAbort;
+  mutable std::exception_ptr m_Abort;
 };
 
 } // namespace
@@ -255,7 +237,7 @@ MedialVoxelThickWalls::Fill(const MedialVoxelBox & box, const MedialVoxelTargets
 }
 
 std::optional<double>
-MedialVoxelThickWalls::FindNeededMaximum(const RunWorks & run, const std::function<void()> & checkAbort)
+MedialVoxelThickWalls::FindNeededMaximum(const std::function<void()> & checkAbort)
 {
   if (m_Grid.GetNumberOfActiveAxes() < 2)
   {
@@ -274,14 +256,13 @@ MedialVoxelThickWalls::FindNeededMaximum(const RunWorks & run, const std::functi
   extraction.measuresThickness = true;
   MedialVoxelEngineSettings engine;
   engine.task = extraction;
-  engine.numberOfWorkers = MostThreads;
 
   // Edges are rounded by half a coarse voxel.
   constexpr double binsPerStep = 4.0;
   const double     binWidth = step / binsPerStep;
-  WallAreas  walls(binWidth, static_cast<std::size_t>((most + step / 2.0) / binWidth), step * step, run, checkAbort);
-  const auto sums = MedialVoxelEngine(m_Grid, engine).Run(m_Grid.GetVoxelBox(), *this, walls);
-  double     voxel = 1.0;
+  WallAreas        walls(binWidth, static_cast<std::size_t>((most + step / 2.0) / binWidth), checkAbort);
+  const auto       sums = MedialVoxelEngine(m_Grid, engine).Run(m_Grid.GetVoxelBox(), *this, walls);
+  double           voxel = 1.0;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     voxel *= m_Grid.IsActive(axis) ? m_Grid.GetSpacing()[axis] : 1.0;

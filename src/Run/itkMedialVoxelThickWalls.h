@@ -25,8 +25,6 @@ namespace itk
 class MedialVoxel_EXPORT MedialVoxelThickWalls : private MedialVoxelObjectSource
 {
 public:
-  using RunWorks = std::function<void(unsigned int count, const std::function<void()> & work)>;
-
   /** \param grid    of the image
    * \param maximum thickness of walls that need nothing, in the units of the spacing */
   MedialVoxelThickWalls(const MedialVoxelGrid & grid, double maximum);
@@ -45,10 +43,9 @@ public:
   /** The thickness that 99 % of the walls do not exceed, where walls thicker than the maximum are a quarter of all
    * walls or more by area, and a fifth of the object or more by volume. Walls thicker than twice the maximum do not
    * count: they would cost too much. Call it once all blocks are there.
-   * \param run calls work() so many times at most, in this thread and others \param checkAbort called now and then; may
-   * throw to abort */
+   * \param checkAbort called now and then; may throw to abort */
   std::optional<double>
-  FindNeededMaximum(const RunWorks & run, const std::function<void()> & checkAbort);
+  FindNeededMaximum(const std::function<void()> & checkAbort);
 
 private:
   void

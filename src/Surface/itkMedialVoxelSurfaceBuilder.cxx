@@ -188,7 +188,7 @@ MedialVoxelSurfaceBuilder::FindNeighborsToFollow(Slice & slice)
 void
 MedialVoxelSurfaceBuilder::Push(std::vector<MedialVoxelSurfaceCell> cells)
 {
-  if (m_WaitingVertices + cells.size() > VerticesOfBatch)
+  if (m_NumberOfWaiting > 0 && m_WaitingVertices + cells.size() > m_VerticesOfBatch)
   {
     this->DoBatch();
   }

@@ -34,9 +34,8 @@ class MedialVoxel_EXPORT MedialVoxelSurfaceBuilder
 public:
   static constexpr unsigned int NumberOfSteps = 5;
 
-  /** Vertices of slices that are done together, unless a single one has more; and their memory beside the cells. */
-  static constexpr std::size_t VerticesOfBatch = std::size_t{ 1 } << 17;
-  static constexpr std::size_t BytesOfBatch = VerticesOfBatch * 192;
+  /** Memory of a vertex of a batch beside its cell. */
+  static constexpr std::size_t BytesOfVertex = 192;
 
   /** Calls task(number) for the numbers below the count, in any threads. */
   using RunTasks = std::function<void(std::size_t count, const std::function<void(std::size_t number)> & task)>;
@@ -66,11 +65,13 @@ public:
     m_WeightOfPlane = weight;
   }
 
-  /** Do the slices of a batch in threads, before the first slice. Default in the calling thread. */
+  /** Do slices of so many vertices together, unless a single one has more, in threads. Set it before the first slice;
+   * by default each slice is done alone, in the calling thread. */
   void
-  RunTasksWith(RunTasks run)
+  RunTasksWith(RunTasks run, const std::size_t verticesOfBatch)
   {
     m_RunTasks = std::move(run);
+    m_VerticesOfBatch = verticesOfBatch;
   }
   const RunTasks &
   GetRunTasks() const
@@ -218,6 +219,7 @@ private:
   RunTasks                     m_RunTasks{ RunHere };
   std::deque<Slice>            m_Slices;
   std::size_t                  m_NumberOfWaiting{ 0 }; // the last ones
+  std::size_t                  m_VerticesOfBatch{ 0 };
   std::size_t                  m_WaitingVertices{ 0 };
   std::vector<Slice>           m_Spare; // memory of slices that are done
   std::int64_t                 m_NextSlice{ 0 };

@@ -15,9 +15,8 @@ using Topology = MedialVoxelSurfaceTopology;
 namespace
 {
 
-/** Vertices of a part that is handed on, and such parts that are made together. */
+/** Vertices of a part that is handed on. */
 constexpr std::uint32_t VerticesOfPart = 1u << 13;
-constexpr std::size_t   PartsAtATime = MedialVoxelSurfaceBuilder::VerticesOfBatch / VerticesOfPart;
 
 /** That no plane with rational coefficients holds. */
 constexpr std::array<double, 3> FrontDirection{ { 1.0, 1.4142135623730951, 1.7320508075688772 } };
@@ -37,6 +36,7 @@ AreaOfTriangle(const Vector & a, const Vector & b, const Vector & c)
 void
 MedialVoxelSurfaceBuilder::HandOn(const Range & slices)
 {
+  const std::size_t partsAtATime = std::max<std::size_t>(1, m_VerticesOfBatch / VerticesOfPart);
   std::vector<Part> parts;
   for (std::size_t at = slices.begin; at < slices.end; ++at)
   {
@@ -50,7 +50,7 @@ MedialVoxelSurfaceBuilder::HandOn(const Range & slices)
         ++end;
       }
       parts.push_back({ at, begin, end });
-      if (parts.size() == PartsAtATime)
+      if (parts.size() >= partsAtATime)
       {
         this->HandOn(parts);
       }

@@ -71,9 +71,9 @@ public:
 
   /** As MedialVoxelSurfaceBuilder::RunTasksWith(). */
   void
-  RunTasksWith(const MedialVoxelSurfaceBuilder::RunTasks & run)
+  RunTasksWith(const MedialVoxelSurfaceBuilder::RunTasks & run, const std::size_t verticesOfBatch)
   {
-    m_Builder.RunTasksWith(run);
+    m_Builder.RunTasksWith(run, verticesOfBatch);
   }
 
   std::uint64_t

@@ -20,8 +20,9 @@ constexpr std::int64_t BlockSize[3] = { 256, 256, 16 };
 
 /** Blocks that are looked at, until the samples are enough. */
 constexpr std::size_t MostBlocks = 480;
+
 /** Rows of a slice of a block that one thread looks at. */
-constexpr std::int64_t RowsOfPart = 32;
+constexpr std::int64_t RowsOfPart = 64;
 
 } // namespace
 

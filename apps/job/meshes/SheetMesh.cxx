@@ -43,13 +43,12 @@ GetPendingCells(const VolumeGeometry & geometry)
   return std::max(least, geometry.GetVoxelsPerSlice() / 8);
 }
 
-/** Of vertices that are joined and smoothed together. */
-std::uint64_t
-BytesOfBatch(const VolumeGeometry & geometry)
+/** Vertices that are joined and smoothed together: some slices of a sheet, as memory allows. */
+std::size_t
+GetVerticesOfBatch(const VolumeGeometry & geometry)
 {
-  using Builder = itk::MedialVoxelSurfaceBuilder;
-  return std::min<std::uint64_t>(Builder::BytesOfBatch,
-                                 geometry.GetNumberOfVoxels() / 8 * (Builder::BytesOfBatch / Builder::VerticesOfBatch));
+  constexpr std::uint64_t most = std::uint64_t{ 1 } << 17;
+  return std::min(most, geometry.GetNumberOfVoxels() / 512);
 }
 
 itk::MedialVoxelGrid::SpacingType
@@ -120,7 +119,8 @@ SheetMesh::MakeObserver(itk::MedialVoxelSurfaceConsumer & consumer) const
   auto observer = std::make_unique<itk::MedialVoxelSurfaceObserver>(
     m_Grid, GetParameters(m_Options, m_Grid), GetSpacing(m_Geometry), GetPlacement(m_Geometry), consumer);
   observer->SetMaximumNumberOfCells(m_MaximumNumberOfCells);
-  observer->RunTasksWith([](const std::size_t count, const auto & task) { RunInThreads(count, task); });
+  observer->RunTasksWith([](const std::size_t count, const auto & task) { RunInThreads(count, task); },
+                         GetVerticesOfBatch(m_Geometry));
   if (m_Options.labels)
   {
     observer->FindPartsWith([this](const itk::MedialVoxelIndex & cell) { return m_FindObject(cell); });
@@ -263,10 +263,10 @@ SheetMesh::GetFootprint(const ExtractOptions &       options,
   const bool          isRemeshed = IsRemeshed(options);
   const std::uint64_t vertices = GetPlannedVertices(geometry);
   ProductFootprint    footprint;
-  footprint.beside = geometry.GetVoxelsPerSlice() / VoxelsPerCellInWork * CellInWorkSize +
-                     GetPendingCells(geometry) * PendingCellSize + BytesOfBatch(geometry) + WritingMemory +
-                     GetEdgeMemory(options, geometry) + (isRemeshed ? GetRemeshingMemory(1) : 0) +
-                     GetCleaningMemory(cleaning, vertices);
+  footprint.beside =
+    geometry.GetVoxelsPerSlice() / VoxelsPerCellInWork * CellInWorkSize + GetPendingCells(geometry) * PendingCellSize +
+    GetVerticesOfBatch(geometry) * itk::MedialVoxelSurfaceBuilder::BytesOfVertex + WritingMemory +
+    GetEdgeMemory(options, geometry) + (isRemeshed ? GetRemeshingMemory(1) : 0) + GetCleaningMemory(cleaning, vertices);
   footprint.perVoxelOfTile = itk::MedialVoxelSurfaceObserver::GetBytesPerVoxel(grid, GetParameters(options, grid));
   footprint.surplus.most = MostPending;
   footprint.surplus.planned = 1; // a cell for each 64 voxels

@@ -99,8 +99,8 @@ public:
     const std::uint64_t valueSize = GetTraits(grid.layout.pixelType).bytes;
     if (m_Array.IsPlain())
     {
-      // Rows of one slice, or whole slices.
-      const std::uint64_t rows = wanted.size[2] == 1 ? wanted.size[1] : wanted.size[2] * grid.chunk[1];
+      // From the first row to the last one, and no further: chunks end there.
+      const std::uint64_t rows = (wanted.size[2] - 1) * grid.chunk[1] + wanted.size[1];
       m_Rows.resize(rows * GetRowSize(grid));
       return m_Chunks->ReadSpan(index, firstRow * valueSize, m_Rows, m_Buffers)
                ? this->MakeView(m_Rows.data() + column * valueSize)
