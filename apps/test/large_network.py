@@ -11,7 +11,7 @@ import unittest
 
 import network_hosts
 from network_jobs import CLUSTERS, OPTIONS, OUTPUTS, NetworkTestCase
-from processes import state_of, wait_until
+from processes import open_files_of, state_of, wait_until
 from program import DONE, FAILURE
 
 # Locks a byte of a file until it is killed.
@@ -49,7 +49,7 @@ class GlusterTest(NetworkTestCase):
     @staticmethod
     def waits_for_a_lock(program):
         """Whether it sleeps, with the file of locks and its outputs open, of which it opens the thickness map last."""
-        files = {os.path.basename(os.readlink(entry)) for entry in os.scandir(f"/proc/{program}/fd")}
+        files = {os.path.basename(name) for name in open_files_of(program)}
         has_all = "locks" in files and any(name.startswith("t.") and name.endswith(".partial") for name in files)
         return has_all and state_of(program) == "S"
 

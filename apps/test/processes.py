@@ -32,6 +32,14 @@ def state_of(process):
     return stat_of(process)[0]
 
 
+def open_files_of(process):
+    """The names of its open files; none when it has ended, or has just closed one."""
+    try:
+        return [os.readlink(entry) for entry in os.scandir(f"/proc/{process}/fd")]
+    except OSError:
+        return []
+
+
 def family_of(process):
     """The number of a process, and those of what it has started."""
     family = [process]

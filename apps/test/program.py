@@ -9,7 +9,7 @@ import subprocess
 import tempfile
 import unittest
 
-from processes import wait_until
+from processes import open_files_of, wait_until
 
 PROGRAM = os.environ["MEDIALVOXEL_PROGRAM"]
 READS_TIFF = os.environ.get("MEDIALVOXEL_READS_TIFF", "1") == "1"
@@ -42,11 +42,7 @@ def has_begun(process, folder):
     """Whether a process writes outputs in a folder: files without a name, or with a temporary one."""
     if any(folder.glob("*.partial")):
         return True
-    try:
-        links = [os.readlink(entry) for entry in os.scandir(f"/proc/{process.pid}/fd")]
-    except OSError:
-        return False  # it has ended, or has just closed one
-    return any(link.startswith(f"{folder.resolve()}/#") for link in links)
+    return any(name.startswith(f"{folder.resolve()}/#") for name in open_files_of(process.pid))
 
 
 def wait_for_begin(process, folder):

@@ -13,7 +13,7 @@ import unittest
 import jobs
 import volumes
 from jobs import JobTestCase
-from processes import state_of, wait_until
+from processes import open_files_of, state_of, wait_until
 from program import FAILURE, PROGRAM, REFUSED, unprivileged
 from test_identity import rough_shell
 
@@ -296,10 +296,7 @@ class JobFaultTest(JobTestCase):
     @staticmethod
     def has_locks(worker):
         """Whether it has opened the file, or has ended."""
-        try:
-            files = [os.readlink(entry) for entry in os.scandir(f"/proc/{worker.pid}/fd")]
-        except OSError:
-            files = []  # it ends, or has just closed one
+        files = open_files_of(worker.pid)
         return worker.poll() is not None or any(re.search(r"/locks( \(deleted\))?\Z", file) for file in files)
 
     def test_lock_ends_with_its_process(self):
