@@ -13,6 +13,14 @@ from support import scene
 needs = lambda name: unittest.skipUnless(importlib.util.find_spec(name), f"skipped: no {name}")  # noqa: E731
 
 
+def plate(is_round=False):
+    """Of 4 x 34 x 34 voxels, or a disc of that diameter, whose elements cannot all be quadrilaterals."""
+    y, x = np.mgrid[:40, :40] - 19.5
+    result = np.zeros((12, 40, 40), np.uint8)
+    result[4:8] = x**2 + y**2 < 17**2 if is_round else np.maximum(abs(x), abs(y)) < 17
+    return result
+
+
 class Meshes(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -37,36 +45,34 @@ class Meshes(unittest.TestCase):
         self.assertEqual((empty.points.shape, empty.faces.shape, empty.triangles.shape), ((0, 3), (0, 4), (0, 3)))
 
     def test_elements_of_a_size(self):
-        plate = np.zeros((12, 40, 40), np.uint8)
-        plate[4:8, 3:37, 3:37] = 1
-        fine, coarse = (medialvoxel.mesh(plate, element_size=size) for size in ("voxel", "auto"))
-        self.assertLess(8 * len(coarse.faces), len(fine.faces))
-        self.assertEqual(coarse.faces.shape[1], 4)
-        triangles = coarse.faces[:, 2] == coarse.faces[:, 3]
-        self.assertTrue(triangles.any() and not triangles.all())
-        self.assertEqual(len(coarse.triangles), 2 * len(coarse.faces) - triangles.sum())
-        corners = coarse.points[coarse.triangles]
-        areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
-        self.assertGreater(areas.min(), 1)
-        self.assertAlmostEqual(areas.sum() / 30**2, 1, delta=0.05)
-        alone = medialvoxel.mesh(plate, element_size=5.0, triangles=True)
+        for is_round, expected in (False, 30**2), (True, np.pi * 15**2):
+            fine, coarse = (medialvoxel.mesh(plate(is_round), element_size=size) for size in ("voxel", "auto"))
+            self.assertLess(8 * len(coarse.faces), len(fine.faces))
+            self.assertEqual(coarse.faces.shape[1], 4)
+            triangles = coarse.faces[:, 2] == coarse.faces[:, 3]
+            self.assertFalse(triangles.all())
+            self.assertEqual(triangles.any(), is_round)
+            self.assertEqual(len(coarse.triangles), 2 * len(coarse.faces) - triangles.sum())
+            corners = coarse.points[coarse.triangles]
+            areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+            self.assertGreater(areas.min(), 1)
+            self.assertAlmostEqual(areas.sum() / expected, 1, delta=0.05)
+        alone = medialvoxel.mesh(plate(), element_size=5.0, triangles=True)
         self.assertEqual(alone.faces.shape[1], 3)
         empty = medialvoxel.mesh(np.zeros((4, 4, 4)), element_size="auto")
         self.assertEqual(len(empty.faces), 0)
         for size in (0.5, 0, -1, "large", float("nan")):
             with self.assertRaisesRegex(ValueError, str(size)):
-                medialvoxel.mesh(plate, element_size=size)
+                medialvoxel.mesh(plate(), element_size=size)
 
     @needs("pyvista")
     def test_elements_of_a_size_in_pyvista(self):
-        plate = np.zeros((12, 40, 40), np.uint8)
-        plate[4:8, 3:37, 3:37] = 1
-        mesh = medialvoxel.mesh(plate, element_size="auto")
+        mesh = medialvoxel.mesh(plate(is_round=True), element_size="auto")
         surface = mesh.to_pyvista()
         self.assertEqual(surface.n_cells, len(mesh.faces))
         sizes = {surface.get_cell(k).n_points for k in range(surface.n_cells)}
         self.assertEqual(sizes, {3, 4})
-        self.assertAlmostEqual(surface.area / 30**2, 1, delta=0.05)
+        self.assertAlmostEqual(surface.area / (np.pi * 15**2), 1, delta=0.05)
         quality = surface.cell_quality("scaled_jacobian").cell_data["scaled_jacobian"]
         self.assertGreater(quality.min(), 0)
 
