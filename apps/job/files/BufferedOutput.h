@@ -21,49 +21,6 @@ FormatFloat(float value);
 std::string
 FormatFloat(double value);
 
-/** The bytes of a number of a file format, the low or the high one first. */
-template <typename TNumber>
-std::array<char, sizeof(TNumber)>
-ToBytes(TNumber value, bool isLittleEndian)
-{
-  using Word = std::conditional_t<sizeof(TNumber) == 8,
-                                  std::uint64_t,
-                                  std::conditional_t<sizeof(TNumber) == 4, std::uint32_t, std::uint16_t>>;
-  using Bits = std::conditional_t<sizeof(TNumber) == 1, std::uint8_t, Word>;
-  Bits bits;
-  static_assert(sizeof(bits) == sizeof(value));
-  std::memcpy(&bits, &value, sizeof(value));
-  std::array<char, sizeof(value)> bytes;
-  for (size_t byte = 0; byte < sizeof(value); ++byte)
-  {
-    bytes[byte] = static_cast<char>(std::uint64_t{ bits } >> (8 * (isLittleEndian ? byte : sizeof(value) - 1 - byte)));
-  }
-  return bytes;
-}
-
-/** \class ByteBuffer
- * \brief Binary numbers for a part of a file, whatever machine. */
-class ByteBuffer
-{
-public:
-  template <typename TNumber>
-  void
-  LittleEndian(TNumber value)
-  {
-    const auto bytes = ToBytes(value, true);
-    m_Bytes.insert(m_Bytes.end(), bytes.begin(), bytes.end());
-  }
-
-  std::string_view
-  GetBytes() const
-  {
-    return { m_Bytes.data(), m_Bytes.size() };
-  }
-
-private:
-  std::vector<char> m_Bytes;
-};
-
 /** \class BufferedOutput
  * \brief Writes a created, empty file from its begin to its end, binary or text, whatever machine and locale. */
 class BufferedOutput
@@ -90,7 +47,7 @@ public:
   void
   LittleEndian(TNumber value)
   {
-    this->Bytes(ToBytes(value, true));
+    this->Bytes(value, 0, 1);
   }
 
   /** A number of the file format with the high byte first. */
@@ -98,7 +55,7 @@ public:
   void
   BigEndian(TNumber value)
   {
-    this->Bytes(ToBytes(value, false));
+    this->Bytes(value, sizeof(TNumber) - 1, -1);
   }
 
   /** Writes the buffer and finishes the file. \throw JobError Failure. */
@@ -106,16 +63,28 @@ public:
   Finish();
 
 private:
-  template <std::size_t Size>
+  template <typename TNumber>
   void
-  Bytes(const std::array<char, Size> & bytes)
+  Bytes(TNumber value, int firstByte, int step)
   {
-    if (m_Used + Size > m_Buffer.size())
+    using Word = std::conditional_t<sizeof(TNumber) == 8,
+                                    std::uint64_t,
+                                    std::conditional_t<sizeof(TNumber) == 4, std::uint32_t, std::uint16_t>>;
+    using Bits = std::conditional_t<sizeof(TNumber) == 1, std::uint8_t, Word>;
+    Bits bits;
+    static_assert(sizeof(bits) == sizeof(value));
+    std::memcpy(&bits, &value, sizeof(value));
+    std::array<char, sizeof(value)> bytes;
+    for (size_t byte = 0; byte < sizeof(value); ++byte, firstByte += step)
+    {
+      bytes[byte] = static_cast<char>(std::uint64_t{ bits } >> (8 * firstByte));
+    }
+    if (m_Used + sizeof(value) > m_Buffer.size())
     {
       this->Flush();
     }
-    std::memcpy(m_Buffer.data() + m_Used, bytes.data(), Size);
-    m_Used += Size;
+    std::memcpy(m_Buffer.data() + m_Used, bytes.data(), sizeof(value));
+    m_Used += sizeof(value);
   }
 
   void

@@ -41,46 +41,26 @@ WriteMeshPly(MeshReader & reader, const MeshWriteOptions & options, BufferedOutp
   output.Integer(reader.GetMesh().GetNumberOfFaces());
   // Nothing more per face: not every reader skips it, that of meshio does not.
   output.Text("\nproperty list uchar int vertex_indices\nend_header\n");
-  const MeshSpool & mesh = reader.GetMesh();
-  const auto        writeVertices = [&](std::uint64_t first, std::uint64_t count, ByteBuffer & buffer) {
-    std::vector<MeshSpool::Vertex>  vertices;
-    std::vector<std::vector<float>> values(options.vertexArrays.size());
-    mesh.ReadVertices(first, count, vertices);
-    for (std::size_t i = 0; i < values.size(); ++i)
+  reader.ForEachVertex([&](std::uint64_t number, const auto & vertex) {
+    ForEachCoordinate(reader, vertex, [&](auto coordinate) { output.LittleEndian(coordinate); });
+    output.LittleEndian(vertex.thickness);
+    for (const VertexValues * const array : options.vertexArrays)
     {
-      options.vertexArrays[i]->Read(first, count, values[i]);
+      output.LittleEndian(array->Get(number));
     }
-    for (std::size_t k = 0; k < vertices.size(); ++k)
+    if (hasObjects)
     {
-      const MeshSpool::Vertex & vertex = vertices[k];
-      ForEachCoordinate(reader, vertex, [&](auto coordinate) { buffer.LittleEndian(coordinate); });
-      buffer.LittleEndian(vertex.thickness);
-      for (const std::vector<float> & array : values)
-      {
-        buffer.LittleEndian(array[k]);
-      }
-      if (hasObjects)
-      {
-        const std::int64_t label = options.objectLabels[vertex.object - 1];
-        isInt32 ? buffer.LittleEndian(static_cast<std::int32_t>(label))
-                       : buffer.LittleEndian(static_cast<double>(label));
-      }
+      const std::int64_t label = options.objectLabels[vertex.object - 1];
+      isInt32 ? output.LittleEndian(static_cast<std::int32_t>(label)) : output.LittleEndian(static_cast<double>(label));
     }
-  };
-  const auto writeFaces = [&](std::uint64_t first, std::uint64_t count, ByteBuffer & buffer) {
-    std::vector<MeshFace> faces;
-    mesh.ReadFaces(first, count, faces, MeshFaceFields::Corners);
-    for (const MeshFace & face : faces)
+  });
+  reader.ForEachFace([&](std::uint64_t, const MeshFace & face) {
+    output.LittleEndian(face.numberOfVertices);
+    for (unsigned int corner = 0; corner < face.numberOfVertices; ++corner)
     {
-      buffer.LittleEndian(face.numberOfVertices);
-      for (unsigned int corner = 0; corner < face.numberOfVertices; ++corner)
-      {
-        buffer.LittleEndian(static_cast<std::uint32_t>(face.vertices[corner]));
-      }
+      output.LittleEndian(static_cast<std::uint32_t>(face.vertices[corner]));
     }
-  };
-  reader.WriteBlocks(mesh.GetNumberOfVertices(), writeVertices, output);
-  reader.WriteBlocks(mesh.GetNumberOfFaces(), writeFaces, output);
+  });
 }
 
 } // end namespace medialvoxel

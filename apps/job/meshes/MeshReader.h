@@ -3,12 +3,8 @@
 #ifndef medialvoxelMeshReader_h
 #define medialvoxelMeshReader_h
 
-#include "BufferedOutput.h"
-#include "OrderedWork.h"
 #include "RecordBlocks.h"
 #include "MeshSpool.h"
-
-#include "itkMultiThreaderBase.h"
 
 #include <algorithm>
 #include <functional>
@@ -58,28 +54,6 @@ public:
       [&](std::uint64_t first, std::uint64_t index) { function(first + index, m_Faces[index]); });
   }
 
-  /** Writes what make(first, count, buffer) makes of the blocks of so many records, in threads. */
-  template <typename TMake>
-  void
-  WriteBlocks(std::uint64_t number, TMake && make, BufferedOutput & output)
-  {
-    const auto countOf = [number](std::uint64_t block) {
-      return std::min(WrittenAtATime, number - block * WrittenAtATime);
-    };
-    OrderedWork<ByteBuffer>::Run((number + WrittenAtATime - 1) / WrittenAtATime,
-                                 itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads(),
-                                 [&](std::uint64_t block, const std::function<void()> &) {
-                                   ByteBuffer buffer;
-                                   make(block * WrittenAtATime, countOf(block), buffer);
-                                   return buffer;
-                                 },
-                                 [&](std::uint64_t block, ByteBuffer && buffer) {
-                                   output.Text(buffer.GetBytes());
-                                   this->AddDone(countOf(block));
-                                 },
-                                 [] {});
-  }
-
   /** One vertex; fast when successive calls ask for neighbors, like the corners of successive faces. */
   const Vertex &
   GetVertex(std::uint64_t number)
@@ -96,7 +70,6 @@ public:
 
 private:
   static constexpr std::uint64_t BlockSize = 1024;
-  static constexpr std::uint64_t WrittenAtATime = std::uint64_t{ 1 } << 13;
 
   template <typename TRead, typename TCall>
   void

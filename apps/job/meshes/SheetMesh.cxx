@@ -9,7 +9,6 @@
 #include "SheetRemeshing.h"
 #include "MeshSorting.h"
 #include "SheetThickness.h"
-#include "ThreadedTasks.h"
 
 #include <algorithm>
 #include <limits>
@@ -93,12 +92,14 @@ GetCleaning(const ExtractOptions & options)
 SheetMesh::SheetMesh(const ExtractOptions &       options,
                      const VolumeGeometry &       geometry,
                      const itk::MedialVoxelGrid & grid,
-                     const std::uint64_t          surplus)
+                     const std::uint64_t          surplus,
+                     RunTasks                     run)
   : m_Options(options)
   , m_Geometry(geometry)
   , m_Grid(grid)
   , m_MaximumNumberOfCells(GetPendingCells(geometry) + surplus / PendingCellSize)
   , m_Cleaning(GetCleaning(options))
+  , m_RunTasks(std::move(run))
   , m_Spool(std::make_unique<MeshSpool>(m_Cleaning.scratchFolder, GetPrecision(geometry), MeshSpoolInput::Added))
 {
   m_Cleaning.memoryLimit = GetCleaningMemory(m_Cleaning, GetPlannedVertices(geometry));
@@ -119,8 +120,10 @@ SheetMesh::MakeObserver(itk::MedialVoxelSurfaceConsumer & consumer) const
   auto observer = std::make_unique<itk::MedialVoxelSurfaceObserver>(
     m_Grid, GetParameters(m_Options, m_Grid), GetSpacing(m_Geometry), GetPlacement(m_Geometry), consumer);
   observer->SetMaximumNumberOfCells(m_MaximumNumberOfCells);
-  observer->RunTasksWith([](const std::size_t count, const auto & task) { RunInThreads(count, task); },
-                         GetVerticesOfBatch(m_Geometry));
+  if (m_RunTasks)
+  {
+    observer->RunTasksWith(m_RunTasks, GetVerticesOfBatch(m_Geometry));
+  }
   if (m_Options.labels)
   {
     observer->FindPartsWith([this](const itk::MedialVoxelIndex & cell) { return m_FindObject(cell); });

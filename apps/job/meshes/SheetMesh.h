@@ -33,12 +33,16 @@ public:
   /** Bytes of cells that wait for their piece, for each of its voxels: one cell for each 8 is more than there are. */
   static constexpr std::uint64_t MostPending = 8;
 
-  /** \param grid          the image in the units of the options
-   * \param surplus  for cells that wait until their piece is done, beside the memory of GetFootprint() */
+  using RunTasks = itk::MedialVoxelSurfaceBuilder::RunTasks;
+
+  /** \param grid     the image in the units of the options
+   * \param surplus  for cells that wait until their piece is done, beside the memory of GetFootprint()
+   * \param run      tasks of several slices in threads; none: the slices are done one by one */
   SheetMesh(const ExtractOptions &       options,
             const VolumeGeometry &       geometry,
             const itk::MedialVoxelGrid & grid,
-            std::uint64_t                surplus);
+            std::uint64_t                surplus,
+            RunTasks                     run = {});
 
   /** Sees the tiles of the pieces; may ask for more sites. */
   itk::MedialVoxelTileObserver &
@@ -116,6 +120,7 @@ private:
   itk::MedialVoxelGrid                            m_Grid;
   std::uint64_t                                   m_MaximumNumberOfCells;
   SheetCleaning                                   m_Cleaning;
+  RunTasks                                        m_RunTasks;
   std::unique_ptr<MeshSpool>                      m_Spool;
   std::vector<MeshVertex>                         m_Vertices; // of one slice, for the spool
   std::vector<MeshFace>                           m_Faces;

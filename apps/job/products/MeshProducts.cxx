@@ -6,6 +6,7 @@
 #include "RimRays.h"
 #include "ScanMeasure.h"
 #include "SheetMesh.h"
+#include "ThreadedTasks.h"
 
 #include <algorithm>
 
@@ -32,8 +33,11 @@ public:
   Start(ProductStart & start) override
   {
     const VolumeHeader & header = start.job.input;
-    m_Mesh = std::make_unique<SheetMesh>(
-      m_Options, header.geometry, GetGrid(m_Options, header), start.job.plan.GetSurplusShare());
+    m_Mesh = std::make_unique<SheetMesh>(m_Options,
+                                         header.geometry,
+                                         GetGrid(m_Options, header),
+                                         start.job.plan.GetSurplusShare(),
+                                         [](const std::size_t count, const auto & task) { RunInThreads(count, task); });
     m_Links.observer = &m_Mesh->GetObserver();
     m_Links.mesh = m_Mesh.get();
   }

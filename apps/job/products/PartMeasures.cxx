@@ -5,9 +5,11 @@
 #include "LengthHistogram.h"
 #include "RecordBlocks.h"
 #include "MeshReader.h"
+#include "OrderedWork.h"
 #include "SurveySummary.h"
 
 #include "itkMedialVoxelVector3.h"
+#include "itkMultiThreaderBase.h"
 
 #include <algorithm>
 #include <array>
