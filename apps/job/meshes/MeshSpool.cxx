@@ -6,7 +6,6 @@
 #include "itkMedialVoxelSurfaceBuilder.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace medialvoxel
 {
@@ -159,39 +158,31 @@ MeshSpool::AddFaces(const std::vector<MeshFace> & faces)
 void
 MeshSpool::PutFaces(std::uint64_t first, const std::vector<MeshFace> & faces)
 {
-  std::vector<Corners>   corners(faces.size());
-  std::vector<FaceMarks> marks(faces.size());
-  std::uint64_t          triangles = 0;
-  std::uint64_t          largest = 0;
+  std::vector<Corners>       corners(faces.size());
+  std::vector<std::uint32_t> upper(4 * faces.size());
+  std::vector<FaceMarks>     marks(faces.size());
+  std::uint64_t              triangles = 0;
+  std::uint64_t              needed = 0;
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
     const MeshFace & face = faces[i];
     for (std::size_t k = 0; k < 4; ++k)
     {
       corners[i][k] = static_cast<std::uint32_t>(face.vertices[k]);
+      upper[4 * i + k] = static_cast<std::uint32_t>(face.vertices[k] >> BitsOfHalf);
     }
     const auto end = face.vertices.begin() + face.numberOfVertices;
-    largest = std::max(largest, *std::max_element(face.vertices.begin(), end));
+    needed = std::max(needed, *std::max_element(face.vertices.begin(), end) + 1);
     marks[i] = { static_cast<float>(face.area), face.numberOfVertices, face.rimEdges, face.junctionEdges, face.isCap };
     triangles += face.numberOfVertices == 3 ? 1 : 0;
   }
   WriteRecords(m_CornerFile, first, corners);
   WriteRecords(m_MarkFile, first, marks);
-  std::vector<std::uint32_t> upper;
-  if (largest >> BitsOfHalf != 0)
-  {
-    for (const MeshFace & face : faces)
-    {
-      std::transform(face.vertices.begin(), face.vertices.end(), std::back_inserter(upper), [](std::uint64_t vertex) {
-        return static_cast<std::uint32_t>(vertex >> BitsOfHalf);
-      });
-    }
-  }
   const std::lock_guard<std::mutex> lock(m_Mutex);
   m_UpperCorners.Write(4 * first, upper);
   m_NumberOfTriangles += triangles;
   m_NumberOfQuads += faces.size() - triangles;
-  m_NumberOfNeededVertices = std::max(m_NumberOfNeededVertices, faces.empty() ? 0 : largest + 1);
+  m_NumberOfNeededVertices = std::max(m_NumberOfNeededVertices, needed);
 }
 
 void
