@@ -25,19 +25,34 @@ MedialVoxelRunInOrder(const std::size_t count, const MedialVoxelTask & task)
   }
 }
 
-/** Calls function(number) for all numbers below a count, a block of them in each task. */
-template <typename TFunction>
+/** Calls function(number, scratch) for all numbers below a count, a block of them in each task, which makes its
+ * scratch.
+ */
+template <typename TMake, typename TFunction>
 void
-MedialVoxelForEach(const MedialVoxelRunTasks & runTasks, const std::size_t count, const TFunction & function)
+MedialVoxelForEachWith(const MedialVoxelRunTasks & runTasks,
+                       const std::size_t           count,
+                       const TMake &               makeScratch,
+                       const TFunction &           function)
 {
   constexpr std::size_t block = 1024;
   runTasks((count + block - 1) / block, [&](const std::size_t task, const std::function<void()> & check) {
     check();
+    auto scratch = makeScratch();
     for (std::size_t number = task * block; number < std::min(count, (task + 1) * block); ++number)
     {
-      function(number);
+      function(number, scratch);
     }
   });
+}
+
+/** The same without scratch. */
+template <typename TFunction>
+void
+MedialVoxelForEach(const MedialVoxelRunTasks & runTasks, const std::size_t count, const TFunction & function)
+{
+  MedialVoxelForEachWith(
+    runTasks, count, [] { return 0; }, [&function](const std::size_t number, int) { function(number); });
 }
 
 } // end namespace itk

@@ -121,7 +121,6 @@ MedialVoxelWallFitting::MedialVoxelWallFitting(const MedialVoxelRemeshedSheet & 
   : m_Sheet(sheet)
   , m_Noise(noise)
   , m_ElementsOf(sheet.points.size())
-  , m_IsAround(sheet.elements.size())
 {
   std::vector<MedialVoxelSheetTree::Triangle> triangles;
   for (Index number = 0; number < sheet.elements.size(); ++number)
@@ -254,21 +253,21 @@ MedialVoxelWallFitting::GetSize(const Index node) const
 
 /** Adds elements whose middles are within a radius, over sides of two. \return whether all have nearly one normal */
 bool
-MedialVoxelWallFitting::GrowAround(const Frame & frame, const double radius)
+MedialVoxelWallFitting::GrowAround(const Frame & frame, const double radius, Region & region) const
 {
-  for (std::size_t next = 0; next < m_Around.size(); ++next)
+  for (std::size_t next = 0; next < region.elements.size(); ++next)
   {
-    if (!(std::abs(MedialVoxelDot(m_Normals[m_Around[next]], frame.normal)) > LeastCosine))
+    if (!(std::abs(MedialVoxelDot(m_Normals[region.elements[next]], frame.normal)) > LeastCosine))
     {
       return false;
     }
-    for (const Index neighbor : m_Neighbors[m_Around[next]])
+    for (const Index neighbor : m_Neighbors[region.elements[next]])
     {
-      if (neighbor != None && !m_IsAround[neighbor] &&
+      if (neighbor != None && !region.isIn[neighbor] &&
           MedialVoxelNorm(MedialVoxelSubtract(m_Middles[neighbor], frame.place)) < radius)
       {
-        m_IsAround[neighbor] = true;
-        m_Around.push_back(neighbor);
+        region.isIn[neighbor] = true;
+        region.elements.push_back(neighbor);
       }
     }
   }
@@ -317,23 +316,24 @@ bool
 MedialVoxelWallFitting::FindHeight(const Frame &              frame,
                                    const std::vector<Index> & start,
                                    const bool                 isInside,
-                                   double &                   height)
+                                   Region &                   region,
+                                   double &                   height) const
 {
   bool        isFound = false;
   Equations   equations;
   std::size_t next = 0;
   double      mostOfQuadric = MostRest * m_Noise;
-  m_Around = start;
+  region.elements = start;
   for (const Index element : start)
   {
-    m_IsAround[element] = true;
+    region.isIn[element] = true;
   }
   for (const double radius : Radii)
   {
-    const bool isFlat = this->GrowAround(frame, radius * frame.size);
-    for (; next < m_Around.size(); ++next)
+    const bool isFlat = this->GrowAround(frame, radius * frame.size, region);
+    for (; next < region.elements.size(); ++next)
     {
-      this->AddElement(m_Around[next], frame, equations);
+      this->AddElement(region.elements[next], frame, equations);
     }
     const Height plane = equations.Solve(3);
     const Height quadric = equations.Solve(6);
@@ -350,16 +350,16 @@ MedialVoxelWallFitting::FindHeight(const Frame &              frame,
       height = best.height;
     }
   }
-  for (const Index element : m_Around)
+  for (const Index element : region.elements)
   {
-    m_IsAround[element] = false;
+    region.isIn[element] = false;
   }
   return isFound;
 }
 
 /** Where the walls of a node have no height over it; as they agree nearly, along their normals alone. */
 MedialVoxelWallFitting::Point
-MedialVoxelWallFitting::FindPlace(const Index node)
+MedialVoxelWallFitting::FindPlace(const Index node, Region & region) const
 {
   const Point &                         place = m_Sheet.points[node];
   const double                          size = this->GetSize(node);
@@ -393,7 +393,7 @@ MedialVoxelWallFitting::FindPlace(const Index node)
       return m_Sheet.elements[element].rimSides == 0 && m_Sheet.elements[element].junctionSides == 0;
     });
     double     height = 0.0;
-    if (this->FindHeight({ place, normal, GetAxes(normal), size }, fan, isInside, height))
+    if (this->FindHeight({ place, normal, GetAxes(normal), size }, fan, isInside, region, height))
     {
       heights.emplace_back(normal, height);
     }
@@ -403,13 +403,14 @@ MedialVoxelWallFitting::FindPlace(const Index node)
 }
 
 std::vector<MedialVoxelWallFitting::Point>
-MedialVoxelWallFitting::FindPlaces()
+MedialVoxelWallFitting::FindPlaces(const MedialVoxelRunTasks & runTasks) const
 {
-  std::vector<Point> places;
-  for (Index node = 0; node < m_Sheet.points.size(); ++node)
-  {
-    places.push_back(m_ElementsOf[node].empty() ? m_Sheet.points[node] : this->FindPlace(node));
-  }
+  std::vector<Point> places = m_Sheet.points;
+  const auto         makeRegion = [this] { return Region{ {}, std::vector<bool>(m_Sheet.elements.size()) }; };
+  MedialVoxelForEachWith(runTasks, places.size(), makeRegion, [&](const std::size_t number, Region & region) {
+    const auto node = static_cast<Index>(number);
+    places[node] = m_ElementsOf[node].empty() ? places[node] : this->FindPlace(node, region);
+  });
   this->TakeBack(places);
   return places;
 }

@@ -45,7 +45,7 @@ public:
 
   /** Where the nodes are to be: by two noises away at most. No element becomes worse than 0.4 by that. */
   std::vector<MedialVoxelVector3>
-  FindPlaces();
+  FindPlaces(const MedialVoxelRunTasks & runTasks) const;
 
 private:
   using Index = std::uint32_t;
@@ -84,6 +84,13 @@ private:
     std::size_t                          number{ 0 };
   };
 
+  /** Elements around a node. */
+  struct Region
+  {
+    std::vector<Index> elements;
+    std::vector<bool>  isIn; ///< of each element
+  };
+
   void
   FindNeighbors();
 
@@ -91,16 +98,17 @@ private:
   GetSize(Index node) const;
 
   bool
-  GrowAround(const Frame & frame, double radius);
+  GrowAround(const Frame & frame, double radius, Region & region) const;
 
   void
   AddElement(Index element, const Frame & frame, Equations & equations) const;
 
   bool
-  FindHeight(const Frame & frame, const std::vector<Index> & start, bool isInside, double & height);
+  FindHeight(const Frame & frame, const std::vector<Index> & start, bool isInside, Region & region, double & height)
+    const;
 
   Point
-  FindPlace(Index node);
+  FindPlace(Index node, Region & region) const;
 
   void
   TakeBack(std::vector<Point> & places) const;
@@ -114,8 +122,6 @@ private:
   std::vector<Sums>                     m_Sums;       ///< of each element
   std::vector<std::array<Index, 4>>     m_Neighbors;  ///< over sides of two
   std::vector<std::vector<Index>>       m_ElementsOf; ///< of each node
-  std::vector<bool>                     m_IsAround;   ///< of each element, while a height is found
-  std::vector<Index>                    m_Around;
 };
 
 } // end namespace itk

@@ -85,7 +85,7 @@ Extend(itk::MedialVoxelSheet &                sheet,
 {
   const std::size_t          before = sheet.points.size();
   std::vector<std::uint32_t> origins;
-  const auto                 summary = itk::MedialVoxelExtendRims(sheet, measure, limits, origins, itk::MedialVoxelRunInOrder);
+  const auto summary = itk::MedialVoxelExtendRims(sheet, measure, limits, origins, itk::MedialVoxelRunInOrder);
   EXPECT_EQ(origins.size(), sheet.points.size());
   EXPECT_EQ(sheet.thickness.size(), sheet.points.size());
   for (std::size_t point = 0; point < origins.size(); ++point)

@@ -55,7 +55,7 @@ Fit(const itk::MedialVoxelRemeshedSheet & coarse, const itk::MedialVoxelSheet & 
     }
     fitting.Add(fitting.Measure(some));
   }
-  return fitting.FindPlaces();
+  return fitting.FindPlaces(itk::MedialVoxelRunInOrder);
 }
 
 /** The steps of voxels on a plane of any slope. */

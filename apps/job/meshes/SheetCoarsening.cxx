@@ -252,7 +252,9 @@ SheetCoarsening::MeasureDistances(const itk::MedialVoxelRemeshedSheet & coarse,
 }
 
 void
-SheetCoarsening::FitWalls(itk::MedialVoxelRemeshedSheet & coarse, const double noise) const
+SheetCoarsening::FitWalls(itk::MedialVoxelRemeshedSheet &  coarse,
+                          const double                     noise,
+                          const itk::MedialVoxelRunTasks & runTasks) const
 {
   itk::MedialVoxelWallFitting fitting(coarse, noise);
   using Sums = std::vector<itk::MedialVoxelWallFitting::Sums>;
@@ -262,7 +264,7 @@ SheetCoarsening::FitWalls(itk::MedialVoxelRemeshedSheet & coarse, const double n
     [&](const std::uint64_t number, const Check &) { return fitting.Measure(this->ReadPart(number).sheet); },
     [&](std::uint64_t, const Sums & sums) { fitting.Add(sums); },
     [this] { m_Remeshing.progress(0.0); });
-  coarse.points = fitting.FindPlaces();
+  coarse.points = fitting.FindPlaces(runTasks);
 }
 
 std::uint64_t

@@ -28,7 +28,7 @@ public:
 
   /** Moves nodes of a coarse surface to where this one is in the mean. */
   void
-  FitWalls(itk::MedialVoxelRemeshedSheet & coarse, double noise) const;
+  FitWalls(itk::MedialVoxelRemeshedSheet & coarse, double noise, const itk::MedialVoxelRunTasks & runTasks) const;
 
   /** Memory that it takes, for a number of threads. */
   static std::uint64_t

@@ -226,11 +226,11 @@ RemeshSheet(std::unique_ptr<MeshSpool>         surface,
   CheckMemory(*coarse, remeshing.memoryLimit);
   std::vector<std::uint32_t> objects;
   MeshReader                 reader(*coarse, remeshing.progress);
-  auto                       sheet =
-    itk::MedialVoxelRemesh(ReadSheet(reader, objects), settings.size, remeshing.progress, MakeRunner(settings));
-  auto               result = std::make_unique<MeshSpool>(remeshing.scratchFolder, coarse->GetPrecision());
+  const auto                 runTasks = MakeRunner(settings);
+  auto sheet = itk::MedialVoxelRemesh(ReadSheet(reader, objects), settings.size, remeshing.progress, runTasks);
+  auto result = std::make_unique<MeshSpool>(remeshing.scratchFolder, coarse->GetPrecision());
   std::vector<Index> places;
-  fine.FitWalls(sheet, settings.size.noise);
+  fine.FitWalls(sheet, settings.size.noise, runTasks);
   fine.MeasureDistances(sheet, sheet.summary);
   sheet.summary.fineArea = area;
   sheet.summary.walls += wallsLeftOut.size();
