@@ -30,11 +30,11 @@ from run_benchmarks import describe_revision, text_of
 
 def labels_of(thickness):
     """A call that finds labels alone."""
-    return lambda mask, threads: medialvoxel.extract(mask, thickness, thickness_map=False, vectors=False, threads=threads)
+    return lambda mask, threads: medialvoxel.extract(mask, thickness=thickness, thickness_map=False, threads=threads)
 
 
 CALLS = {
-    "medialvoxel.extract, automatic, all outputs": lambda mask, threads: medialvoxel.extract(mask, threads=threads),
+    "medialvoxel.extract, automatic, all outputs": lambda mask, threads: medialvoxel.extract(mask, vectors=True, threads=threads),
     "medialvoxel.extract, thickness 3, labels alone": labels_of(3),
     "medialvoxel.extract, thickness 5, labels alone": labels_of(5),
     "skimage.morphology.skeletonize (curves)": lambda mask, _: morphology.skeletonize(mask),

@@ -97,7 +97,7 @@ def _fail(status: int, text: str) -> NoReturn:
     raise (ValueError if status in _WRONG_VALUES else RuntimeError)(message)
 
 
-def extract_file(input: str | os.PathLike, output: str | os.PathLike, **options: Any) -> dict[str, Any]:
+def extract_file(input: str | os.PathLike[str], output: str | os.PathLike[str], **options: Any) -> dict[str, Any]:
     """Extracts the medial cells of a file of any size into a file, as `medialvoxel extract INPUT OUTPUT` does.
 
     options: those of the program, with underscores: thickness_map="map.mha", lower=72, memory="2G", overwrite=True.
@@ -127,7 +127,7 @@ def extract_file(input: str | os.PathLike, output: str | os.PathLike, **options:
             _fail(process.returncode, errors)
         if options.get("dry_run"):
             return {}
-        found = json.loads(pathlib.Path(report).read_text())
+        found: dict[str, Any] = json.loads(pathlib.Path(report).read_text())
         warn(found["warnings"])
         if process.returncode == _TOO_THIN:
             raise ThinPlacesError(found)

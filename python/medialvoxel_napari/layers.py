@@ -47,7 +47,7 @@ def find_walls(values, spacing, settings, progress=None):
     share = 0.5 if values.ndim == 3 else 1.0
     options = dataclasses.asdict(settings) | {"spacing": spacing}
     report = progress or (lambda done: None)
-    medial = medialvoxel.extract(values, **options, vectors=False, progress=lambda done: report(share * done))
+    medial = medialvoxel.extract(values, **options, progress=lambda done: report(share * done))
     if values.ndim == 2:
         return medial, None
     return medial, medialvoxel.mesh(values, **options, progress=lambda done: report(share + share * done))

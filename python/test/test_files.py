@@ -29,7 +29,9 @@ class Files(Folder):
         )
         found = medialvoxel.extract(scene().astype("uint8"), lower=40, spacing=(2.0, 1.0, 0.5))
         np.testing.assert_array_equal(read(self.folder / "out.mha"), found.labels)
-        np.testing.assert_array_equal(read(self.folder / "map.mha"), found.thickness)
+        thickness = read(self.folder / "map.mha")
+        np.testing.assert_array_equal(np.maximum(thickness, 0), found.thickness)
+        np.testing.assert_array_equal(thickness < 0, found.rims)
         for name, number in found.counts.items():
             self.assertEqual(report["counts"][name], number)
 
@@ -47,7 +49,7 @@ class Files(Folder):
         given = medialvoxel.extract(mask, spacing=0.5, max_thickness=8)
         self.assertEqual(given.max_thickness, 8)
         self.assertNotEqual(given.counts["medial_cells"], found.counts["medial_cells"])
-        self.assertIsNone(medialvoxel.extract(mask, 3).max_thickness)
+        self.assertIsNone(medialvoxel.extract(mask, thickness=3).max_thickness)
 
     def test_values_of_all_axes_are_z_first(self):
         raw = self.folder / "in.raw"

@@ -66,10 +66,10 @@ class LayersTest(unittest.TestCase):
 
     def test_results_are_those_of_the_functions(self):
         medial, surface = layers.find_walls(plate(), (2.0, 1.0, 0.5), layers.Settings(lower=100, thickness=4))
-        expected = medialvoxel.extract(plate(), 4, (2.0, 1.0, 0.5), lower=100)
+        expected = medialvoxel.extract(plate(), thickness=4, spacing=(2.0, 1.0, 0.5), lower=100)
         np.testing.assert_array_equal(medial.labels, expected.labels)
         np.testing.assert_array_equal(medial.thickness, expected.thickness)
-        np.testing.assert_array_equal(surface.points, medialvoxel.mesh(plate(), 4, (2.0, 1.0, 0.5), lower=100).points)
+        np.testing.assert_array_equal(surface.points, medialvoxel.mesh(plate(), thickness=4, spacing=(2.0, 1.0, 0.5), lower=100).points)
 
     def test_results_lie_in_the_wall(self):
         """Whatever scale and place the layer has: world positions of the cells and points are those of the plate."""
@@ -175,7 +175,7 @@ class WidgetTest(unittest.TestCase):
         self.assertEqual(self.widget.settings(), layers.Settings(thickness=4))
         self.widget.start()
         self.wait()
-        expected = medialvoxel.extract(plate(), 4)
+        expected = medialvoxel.extract(plate(), thickness=4)
         np.testing.assert_array_equal(self.viewer.layers["plate medial cells"].data, expected.labels)
         self.widget._mode.value = AUTOMATIC
         self.assertEqual(self.widget.settings().thickness, "auto")

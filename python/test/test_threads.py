@@ -117,7 +117,7 @@ class Threads(unittest.TestCase):
 
     def test_progress_of_long_work(self):
         seen = []
-        medialvoxel.extract(blob(), 3.0, progress=seen.append, threads=1)
+        medialvoxel.extract(blob(), thickness=3.0, progress=seen.append, threads=1)
         self.assertGreater(len(set(seen)), 3)
 
     def test_an_exception_of_the_progress(self):
@@ -128,11 +128,11 @@ class Threads(unittest.TestCase):
         self.assertEqual(medialvoxel.extract(scene(), lower=40).labels.shape, scene().shape)
 
     def test_several_calls_at_once(self):
-        expected = medialvoxel.extract(scene(), lower=40)
+        expected = medialvoxel.extract(scene(), lower=40, vectors=True)
         found = [None] * 6
 
         def work(i):
-            found[i] = medialvoxel.extract(scene(), lower=40)
+            found[i] = medialvoxel.extract(scene(), lower=40, vectors=True)
 
         threads = [threading.Thread(target=work, args=(i,)) for i in range(len(found))]
         for thread in threads:
