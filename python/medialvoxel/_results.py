@@ -8,7 +8,9 @@ import dataclasses
 from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
+
+from ._voxels import thin
 
 
 class _Outputs:
@@ -110,6 +112,27 @@ class Medial(_Outputs):
         """bool: the medial cells."""
         found: NDArray[np.bool_] = self.labels >= 2
         return found
+
+    def voxels(self, mask: ArrayLike) -> NDArray[np.bool_]:
+        """The sheet as voxels of a mask, for those who expect the answer of `skimage.morphology.skeletonize`.
+
+        Of the 8 voxels of each medial cell it has one at least, where the mask has any of them. It is one voxel thick but where
+        sheets meet or bend within a voxel, and has the parts, tunnels and cavities of the voxels of all medial cells.
+
+        Parameters
+        ----------
+        mask : ArrayLike
+            What is not 0 may be in the sheet: the array, if it was one of 0 and other values, or ``array >= sheet.lower``.
+        """
+        inside = np.asarray(mask) != 0
+        if inside.shape != self.labels.shape:
+            raise ValueError(f"the mask has the shape {inside.shape}; it must be that of the sheet, {self.labels.shape}")
+        from ._arrays import distance
+
+        depth = distance(inside, spacing=self.spacing, boundary="background", region="inside").distance
+        shape = (1,) * (3 - inside.ndim) + inside.shape
+        parts = (np.reshape(part, shape) for part in (self.medial, inside, -depth))
+        return thin(*parts).reshape(inside.shape).copy()
 
 
 @dataclasses.dataclass(frozen=True, repr=False, eq=False)
