@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, Literal, Union
 
 import numpy as np
@@ -13,11 +13,11 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from . import _native
 from ._options import make_flags, make_options, read_flag
 from ._parameters import describe
+from ._progress import Progress, show
 from ._results import Distances, LocalThickness, Medial, Mesh
 from ._warnings import warn
 
 Number = Union[int, float, np.integer[Any], np.floating[Any]]
-Progress = Union[Callable[[float], object], bool, None]
 Smooth = Union[Literal["auto", "on", "off"], bool, None]
 
 
@@ -73,32 +73,10 @@ class _Call:
         return vectors if vectors is None or len(self.shape) == 3 else np.ascontiguousarray(vectors[..., 1:])
 
     def run(self, arguments: Sequence[str], outputs: dict[str, NDArray[Any] | None], progress: Progress) -> Any:
-        bar = _make_bar() if progress is True else None
-        show = bar.show if bar else progress if callable(progress) else None
-        try:
-            numbers, surface = _native.run(self.values, self.spacing, arguments, outputs, show)
-        finally:
-            if bar:
-                bar.close()
+        with show(progress) as take:
+            numbers, surface = _native.run(self.values, self.spacing, arguments, outputs, take)
         warn(numbers["warnings"])
         return numbers, surface
-
-
-class _Bar:
-    def __init__(self, bar: Any) -> None:
-        self._bar = bar
-
-    def show(self, done: float) -> None:
-        self._bar.update(done - self._bar.n)
-
-    def close(self) -> None:
-        self._bar.close()
-
-
-def _make_bar() -> _Bar:
-    from tqdm.auto import tqdm  # type: ignore[import-untyped,unused-ignore]
-
-    return _Bar(tqdm(total=1.0, bar_format="{l_bar}{bar}| {elapsed}<{remaining}"))
 
 
 @describe

@@ -53,6 +53,12 @@ _TEXTS = {
     "32 voxels of the largest spacing. Time and memory grow with it.",
     "threads": "1 or more; default one for each processor that this process may use. Results do not depend on it.",
     "memory": 'Limit of what the work takes beside arrays, in bytes or as text such as "2G"; default none. Results do not depend on it.',
+    "input": "Any file or folder that the program reads.",
+    "output": "Its ending names its format.",
+    "options": 'Those of the program, with underscores: ``thickness_map="map.mha", lower=72, memory="2G", overwrite=True``. True '
+    "switches an option on; None and False leave it to its default. ``smooth=False`` and ``sub_voxel=False`` switch off. Values of all "
+    'axes are (z, y, x) as numbers, and as the program takes them as a text: ``spacing=(2, 1, 1)`` is ``spacing="1,1,2"``. Two limits '
+    "of places are a tuple: ``thin_below=(2, 2.5)``.",
     "progress": "Called with the share that is done, from 0 to 1, about 20 times a second; an exception of it stops the work. True shows a "
     "bar of tqdm.",
 }
@@ -73,6 +79,16 @@ MedialVoxelWarning
     Of what makes results doubtful.
 """
 
+_RAISES_OF_FILES = """FileNotFoundError
+    For an input that is not there, and where the program is not.
+ThinPlacesError
+    With ``fail_if_thin=True``, when there are thin places.
+NotMeasuredError
+    With ``fail_if_thin=True``, when too little was measured to know.
+RuntimeError
+    For other failures, such as those of a disk.
+"""
+
 
 def describe(function: F) -> F:
     """Puts the parameters, as the signature has them, and the errors of all functions into a docstring, before its examples."""
@@ -82,8 +98,10 @@ def describe(function: F) -> F:
     for name, parameter in inspect.signature(function).parameters.items():
         default = "" if parameter.default is parameter.empty else f", default {parameter.default!r}"
         text = _TEXTS.get(f"{function.__name__}.{name}") or _TEXTS[name]
-        lines += [f"{name} : {parameter.annotation}{default}", textwrap.indent(textwrap.fill(text, 116), "    ")]
+        stars = "**" if parameter.kind is parameter.VAR_KEYWORD else ""
+        lines += [f"{stars}{name} : {parameter.annotation}{default}", textwrap.indent(textwrap.fill(text, 116), "    ")]
     begin, examples, end = inspect.cleandoc(function.__doc__).partition("\nExamples\n")
+    raises = _RAISES if "array" in inspect.signature(function).parameters else _RAISES.replace("\nWarns", _RAISES_OF_FILES + "\nWarns")
     begin, returns, end_of_returns = begin.partition("\nReturns\n")
-    function.__doc__ = "\n".join([begin, *lines, "", returns.strip() + "\n" + end_of_returns.rstrip(), _RAISES]) + examples + end
+    function.__doc__ = "\n".join([begin, *lines, "", returns.strip() + "\n" + end_of_returns.rstrip(), raises]) + examples + end
     return function

@@ -29,8 +29,8 @@ class Documentation(unittest.TestCase):
         self.assertTrue((pathlib.Path(medialvoxel.__file__).parent / "py.typed").exists())
 
     def test_every_parameter_is_described(self):
-        for function in (medialvoxel.extract, medialvoxel.mesh, medialvoxel.distance, medialvoxel.local_thickness):
-            described = re.findall(r"^(\w+) : (?:.*\n)(    .+)", inspect.getdoc(function), re.MULTILINE)
+        for function in filter(inspect.isfunction, map(medialvoxel.__dict__.get, medialvoxel.__all__)):
+            described = re.findall(r"^(?:\*\*)?(\w+) : (?:.*\n)(    .+)", inspect.getdoc(function), re.MULTILINE)
             self.assertEqual([name for name, _ in described], list(inspect.signature(function).parameters))
 
     def test_every_attribute_is_described(self):
