@@ -4,7 +4,7 @@
 #define itkMedialVoxelRemeshedSheet_h
 
 #include "itkMedialVoxelElementSize.h"
-#include "itkMedialVoxelSheetDivision.h"
+#include "itkMedialVoxelComplexDivision.h"
 #include "itkMedialVoxelShellElements.h"
 #include "itkMedialVoxelWallsLeftOut.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "itkMedialVoxelSheetDivision.h"
+#include "itkMedialVoxelComplexDivision.h"
 
 #include "MedialVoxelTestElements.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef itkMedialVoxelSheetDivision_h
-#define itkMedialVoxelSheetDivision_h
+#ifndef itkMedialVoxelComplexDivision_h
+#define itkMedialVoxelComplexDivision_h
 
 #include "itkMedialVoxelSheet.h"
 

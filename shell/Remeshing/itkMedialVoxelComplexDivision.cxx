@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "itkMedialVoxelSheetDivision.h"
+#include "itkMedialVoxelComplexDivision.h"
 
 #include <algorithm>
 #include <numeric>
