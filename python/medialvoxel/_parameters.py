@@ -90,6 +90,11 @@ RuntimeError
 """
 
 
+def find_text(function: str, name: str) -> str:
+    """What a parameter of a function means."""
+    return _TEXTS.get(f"{function}.{name}") or _TEXTS[name]
+
+
 def describe(function: F) -> F:
     """Puts the parameters, as the signature has them, and the errors of all functions into a docstring, before its examples."""
     if function.__doc__ is None:  # python -OO
@@ -97,9 +102,8 @@ def describe(function: F) -> F:
     lines = ["Parameters", "----------"]
     for name, parameter in inspect.signature(function).parameters.items():
         default = "" if parameter.default is parameter.empty else f", default {parameter.default!r}"
-        text = _TEXTS.get(f"{function.__name__}.{name}") or _TEXTS[name]
         stars = "**" if parameter.kind is parameter.VAR_KEYWORD else ""
-        lines += [f"{stars}{name} : {parameter.annotation}{default}", textwrap.indent(textwrap.fill(text, 116), "    ")]
+        lines += [f"{stars}{name} : {parameter.annotation}{default}", textwrap.indent(textwrap.fill(find_text(function.__name__, name), 116), "    ")]
     begin, examples, end = inspect.cleandoc(function.__doc__).partition("\nExamples\n")
     raises = _RAISES if "array" in inspect.signature(function).parameters else _RAISES.replace("\nWarns", _RAISES_OF_FILES + "\nWarns")
     begin, returns, end_of_returns = begin.partition("\nReturns\n")
