@@ -9,7 +9,7 @@ import pathlib
 import re
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[1] / "python/medialvoxel"
-FUNCTIONS = ("_arrays.py", "_program.py")
+FUNCTIONS = ("_arrays.py", "_by_program.py", "_program.py")
 RESULTS = ("_results.py",)
 
 

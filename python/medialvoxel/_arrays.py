@@ -21,7 +21,7 @@ Number = Union[int, float, np.integer[Any], np.floating[Any]]
 Smooth = Union[Literal["auto", "on", "off"], bool, None]
 
 
-def _prepare(array: ArrayLike) -> NDArray[Any]:
+def prepare(array: ArrayLike) -> NDArray[Any]:
     """The values as the library reads them; a copy only where they are not so already."""
     if isinstance(array, np.ma.MaskedArray):
         raise ValueError("the array is masked; fill it first, such as by array.filled(0)")
@@ -42,7 +42,7 @@ def _prepare(array: ArrayLike) -> NDArray[Any]:
     )
 
 
-def _check_spacing(spacing: Any, dimension: int) -> tuple[float, ...]:
+def check_spacing(spacing: Any, dimension: int) -> tuple[float, ...]:
     if spacing is None:
         return (1.0,) * dimension
     try:
@@ -57,9 +57,9 @@ class _Call:
     """An array, and what is made of it."""
 
     def __init__(self, array: ArrayLike, spacing: Any) -> None:
-        self.values = _prepare(array)
+        self.values = prepare(array)
         self.shape = self.values.shape
-        self.spacing = _check_spacing(spacing, self.values.ndim)
+        self.spacing = check_spacing(spacing, self.values.ndim)
 
     def make(self, dtype: DTypeLike, components: int = 1) -> NDArray[Any]:
         """An output for run(), which writes each of its values."""

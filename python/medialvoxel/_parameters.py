@@ -13,6 +13,11 @@ F = TypeVar("F", bound=Callable[..., Any])
 _TEXTS = {
     "array": "2 or 3 axes of bool, integers of 8 to 64 bits or real numbers of 16, 32 or 64 bits; any order, strides and byte order. "
     "A contiguous array of native numbers is not copied.",
+    "thin_below": "The limit, or (limit, second limit): each place has a cell thinner than the first one, and all its cells are "
+    "thinner than the second one, by default an eighth more.",
+    "min_place_area": "Area beyond the limit of the smallest place that counts, in squared units; default that of ten faces of voxels.",
+    "thin_places.options": "Others of the program, as of extract_file(): ``threads=2``, ``memory=\"1G\"``, ``materials=(40, 180)``.",
+    "surface_thickness.options": "Others of the program, as of surface_file(): ``largest_ball=20``, ``sub_voxel=False``, ``open=True``.",
     "spacing": "(z, y, x), from 1e-12 to 1e12, or one number for all axes; default 1.",
     "lower": 'Smallest value of the object; "otsu" measures it. Default: all values but 0 are the object.',
     "extract.lower": 'Smallest value of the object; "otsu" measures it. Default: all values but 0 are the object. With `lower` or `upper` '
@@ -105,7 +110,7 @@ def describe(function: F) -> F:
         stars = "**" if parameter.kind is parameter.VAR_KEYWORD else ""
         lines += [f"{stars}{name} : {parameter.annotation}{default}", textwrap.indent(textwrap.fill(find_text(function.__name__, name), 116), "    ")]
     begin, examples, end = inspect.cleandoc(function.__doc__).partition("\nExamples\n")
-    raises = _RAISES if "array" in inspect.signature(function).parameters else _RAISES.replace("\nWarns", _RAISES_OF_FILES + "\nWarns")
+    raises = _RAISES if "options" not in inspect.signature(function).parameters else _RAISES.replace("\nWarns", _RAISES_OF_FILES + "\nWarns")
     begin, returns, end_of_returns = begin.partition("\nReturns\n")
     function.__doc__ = "\n".join([begin, *lines, "", returns.strip() + "\n" + end_of_returns.rstrip(), raises]) + examples + end
     return function

@@ -121,7 +121,7 @@ def _run(arguments: list[str], progress: Callable[[float], object] | None, stdou
             raise
 
 
-def _run_on_files(command: str, files: tuple[FileName, ...], options: dict[str, Any], progress: Progress) -> dict[str, Any]:
+def run_on_files(command: str, files: tuple[FileName, ...], options: dict[str, Any], progress: Progress) -> dict[str, Any]:
     with tempfile.TemporaryDirectory(prefix="medialvoxel-") as folder, show(progress) as take:
         report = os.fspath(options.pop("report", None) or os.path.join(folder, "report.json"))
         style = "json" if take else "none"
@@ -149,7 +149,7 @@ def extract_file(input: FileName, output: FileName, *, progress: Progress = None
     dict[str, Any]
         The report, whose keys doc/reference/report.md lists; empty with ``dry_run=True``.
     """
-    return _run_on_files("extract", (input, output), options, progress)
+    return run_on_files("extract", (input, output), options, progress)
 
 
 @describe
@@ -161,7 +161,7 @@ def mesh_file(input: FileName, output: FileName, *, progress: Progress = None, *
     dict[str, Any]
         The report, as of extract_file().
     """
-    return _run_on_files("mesh", (input, output), options, progress)
+    return run_on_files("mesh", (input, output), options, progress)
 
 
 @describe
@@ -173,7 +173,7 @@ def surface_file(input: FileName, output: FileName, *, progress: Progress = None
     dict[str, Any]
         The report, as of extract_file().
     """
-    return _run_on_files("surface", (input, output), options, progress)
+    return run_on_files("surface", (input, output), options, progress)
 
 
 @describe
@@ -185,7 +185,7 @@ def distance_file(input: FileName, output: FileName, *, progress: Progress = Non
     dict[str, Any]
         The report, as of extract_file().
     """
-    return _run_on_files("distance", (input, output), options, progress)
+    return run_on_files("distance", (input, output), options, progress)
 
 
 @describe

@@ -178,9 +178,77 @@ class LocalThickness(_Outputs):
     lower: float | None
 
 
+@dataclasses.dataclass(frozen=True)
+class Place:
+    """Connected medial cells whose walls are too thin.
+
+    Attributes
+    ----------
+    area : float
+        Of the sheet, in squared units of the spacing; of 2 axes a length.
+    area_beyond_limit : float
+        Of the cells thinner than the limit.
+    cells : int
+        Number of cells.
+    minimum, mean, maximum : float
+        Of the thickness.
+    center : tuple[float, ...]
+        Position (z, y, x) of the thinnest cell; the first voxel of the array is at 0.
+    index : tuple[int, ...]
+        Index of that cell.
+    sides : tuple[tuple[float, ...], tuple[float, ...]]
+        Positions of the nearest voxels of the background on both sides of the wall there.
+    first, last : tuple[int, ...]
+        Smallest and largest index of the cells along each axis.
+    """
+
+    area: float
+    area_beyond_limit: float
+    cells: int
+    minimum: float
+    mean: float
+    maximum: float
+    center: tuple[float, ...]
+    index: tuple[int, ...]
+    sides: tuple[tuple[float, ...], tuple[float, ...]]
+    first: tuple[int, ...]
+    last: tuple[int, ...]
+
+
+@dataclasses.dataclass(frozen=True)
+class Places:
+    """Places with too thin walls.
+
+    Attributes
+    ----------
+    limit, grow_limit : float
+        Each place has a cell thinner than the limit; all of its cells are thinner than the second one.
+    min_place_area : float
+        Area beyond the limit of the smallest place that counts.
+    number, cells : int
+        Of places, and of their cells, also of those that are not listed.
+    area, area_beyond_limit : float
+        Of all of them.
+    smaller : int
+        Places that are left out because they are smaller.
+    places : list[Place]
+        The largest area beyond the limit first, at most 10000.
+    """
+
+    limit: float
+    grow_limit: float
+    min_place_area: float
+    number: int
+    cells: int
+    area: float
+    area_beyond_limit: float
+    smaller: int
+    places: list[Place]
+
+
 @dataclasses.dataclass(frozen=True, repr=False, eq=False)
 class Mesh:
-    """The medial surface.
+    """A medial surface, or the surface of an object.
 
     Attributes
     ----------
@@ -189,7 +257,7 @@ class Mesh:
     faces : NDArray[int64]
         (m, 4), or (m, 3) where all are triangles: indices of points. A triangle among quadrilaterals has its last corner twice.
     thickness : NDArray[float32]
-        (n,): thickness of the wall at each point.
+        (n,): thickness of the wall at each point; NaN where none is known.
     lower : float or None
         The lower threshold, also that of Otsu.
     """

@@ -34,9 +34,9 @@ class Documentation(unittest.TestCase):
             self.assertEqual([name for name, _ in described], list(inspect.signature(function).parameters))
 
     def test_every_attribute_is_described(self):
-        for result in (medialvoxel.Medial, medialvoxel.Mesh, medialvoxel.Distances, medialvoxel.LocalThickness):
-            described = re.findall(r"^(\w+) : ", inspect.getdoc(result), re.MULTILINE)
-            self.assertEqual(described, [field.name for field in dataclasses.fields(result)])
+        for result in filter(dataclasses.is_dataclass, map(medialvoxel.__dict__.get, medialvoxel.__all__)):
+            described = ", ".join(re.findall(r"^(\w.*) : ", inspect.getdoc(result), re.MULTILINE)).split(", ")
+            self.assertCountEqual(described, [field.name for field in dataclasses.fields(result)])
 
 
 if __name__ == "__main__":
