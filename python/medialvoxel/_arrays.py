@@ -15,6 +15,7 @@ from ._options import make_flags, make_options, read_flag
 from ._parameters import describe
 from ._progress import Progress, show
 from ._results import Distances, LocalThickness, Medial, Mesh
+from ._threads import count_processors
 from ._warnings import warn
 
 Number = Union[int, float, np.integer[Any], np.floating[Any]]
@@ -141,7 +142,7 @@ def extract(
         "materials": materials,
         "vectors": "vectors.mha" if vectors else None,
         "vector_boundary": vector_boundary if vectors else None,
-        "threads": threads,
+        "threads": count_processors() if threads is None else threads,
         "memory": memory,
     }
     flags = make_flags({"voxel_units": voxel_units})
@@ -212,7 +213,7 @@ def mesh(
         "min_branch_length": min_branch_length,
         "element_size": element_size,
         "sub_voxel": sub_voxel,
-        "threads": threads,
+        "threads": count_processors() if threads is None else threads,
         "memory": memory,
     }
     flags = make_flags({"voxel_units": voxel_units, "triangles": triangles, "extend_rims": extend_rims})
@@ -261,7 +262,7 @@ def distance(
         "boundary": boundary,
         "region": region,
         "max_distance": max_distance,
-        "threads": threads,
+        "threads": count_processors() if threads is None else threads,
         "memory": memory,
     }
     words = ["distance", "array", "vectors.mha", *make_options(options), *make_flags({"voxel_units": voxel_units})]
@@ -315,7 +316,7 @@ def local_thickness(
         "lower": lower,
         "upper": upper,
         "label": label,
-        "threads": threads,
+        "threads": count_processors() if threads is None else threads,
         "memory": memory,
     }
     words = ["surface", "array", "thickness.vtp", *make_options(options)]

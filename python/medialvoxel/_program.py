@@ -18,6 +18,7 @@ from typing import Any, NoReturn, Union
 from ._options import format_value
 from ._parameters import describe
 from ._progress import Progress, show
+from ._threads import make_environment
 from ._warnings import warn
 
 FileName = Union[str, "os.PathLike[str]"]
@@ -71,8 +72,8 @@ def main() -> NoReturn:
     """Becomes the program, with the arguments of this process."""
     program = find_program()
     if os.name == "nt":
-        sys.exit(subprocess.call([program, *sys.argv[1:]]))
-    os.execv(program, ["medialvoxel", *sys.argv[1:]])
+        sys.exit(subprocess.call([program, *sys.argv[1:]], env=make_environment()))
+    os.execve(program, ["medialvoxel", *sys.argv[1:]], make_environment())
 
 
 def _make_arguments(options: dict[str, Any]) -> list[str]:
@@ -105,7 +106,8 @@ def _fail(status: int, text: str) -> NoReturn:
 
 def _run(arguments: list[str], progress: Callable[[float], object] | None, stdout: int = subprocess.DEVNULL) -> tuple[int, str, str]:
     """Status, output and errors of the program. An exception here, such as that of Ctrl-C, stops it first."""
-    with subprocess.Popen([find_program(), *arguments], stdout=stdout, stderr=subprocess.PIPE, text=True) as process:
+    command, environment = [find_program(), *arguments], make_environment()
+    with subprocess.Popen(command, stdout=stdout, stderr=subprocess.PIPE, text=True, env=environment) as process:
         errors = ""
         assert process.stderr is not None
         try:

@@ -123,6 +123,12 @@ class Files(Folder):
                     call(mask, self.folder / f"stopped_{name}", progress=fail)
                 self.assertFalse((self.folder / f"stopped_{name}").exists())
 
+    def test_the_program_has_the_threads_that_the_process_may_use(self):
+        source = "import os; os.sched_setaffinity(0, list(os.sched_getaffinity(0))[:1]); import medialvoxel\n"
+        source += f"print(medialvoxel.extract_file({str(self.input)!r}, {str(self.folder / 'out.mha')!r}, lower=40)['threads'])"
+        done = subprocess.run([sys.executable, "-c", source], capture_output=True, text=True)
+        self.assertEqual(done.stdout, "1\n", done.stderr)
+
     def test_info(self):
         found = medialvoxel.info(self.input, values=True)
         self.assertEqual((found["format"], found["size"], found["spacing"]), ("MetaImage", "34 x 30 x 22", "0.5 x 1 x 2"))
