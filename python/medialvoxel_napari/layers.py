@@ -14,11 +14,11 @@ LABEL_COLORS = {0: "transparent", 1: (0.4, 0.4, 0.4, 0.25), 2: "white", 3: (1.0,
 class Settings:
     """What is looked for.
 
-    lower, upper -- the object has values from lower to upper; None: no such limit. Both None: all values but 0
+    lower, upper -- the object has values from lower to upper; None: no such limit. Both None: all values but 0. lower may be "otsu"
     thickness    -- of the walls, in the units of the scale, or "auto"
     """
 
-    lower: float | None = None
+    lower: float | str | None = None
     upper: float | None = None
     thickness: float | str = "auto"
 
@@ -50,6 +50,7 @@ def find_walls(values, spacing, settings, progress=None):
     medial = medialvoxel.extract(values, **options, progress=lambda done: report(share * done))
     if values.ndim == 2:
         return medial, None
+    options["lower"] = medial.lower  # that of Otsu, which is measured once
     return medial, medialvoxel.mesh(values, **options, progress=lambda done: report(share + share * done))
 
 
