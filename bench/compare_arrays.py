@@ -41,13 +41,13 @@ CALLS = {
     "medialvoxel.mesh": lambda mask, threads: medialvoxel.mesh(mask, threads=threads),
     "skimage.measure.marching_cubes (faces)": lambda mask, _: measure.marching_cubes(mask, 0.5),
     "medialvoxel.distance, inside": lambda mask, threads: medialvoxel.distance(
-        mask, boundary="background", region="inside", threads=threads
+        mask, boundary="background", region="inside", vectors=True, threads=threads
     ),
     "scipy.ndimage.distance_transform_edt with indices": lambda mask, _: ndimage.distance_transform_edt(
         mask, return_indices=True
     ),
     "medialvoxel.local_thickness, at most 16": lambda mask, threads: medialvoxel.local_thickness(
-        mask, maximum=16, threads=threads
+        mask, largest_ball=16, threads=threads
     ),
 }
 
