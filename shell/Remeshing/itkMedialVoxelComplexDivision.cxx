@@ -3,14 +3,14 @@
 #include "itkMedialVoxelComplexDivision.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cassert>
 
 namespace itk
 {
 namespace
 {
 
-using Index = MedialVoxelSheet::Index;
+using Index = MedialVoxelTriangleComplex::Index;
 
 /** Appends the parts of a range of triangles. */
 void
@@ -18,6 +18,7 @@ Divide(const std::vector<MedialVoxelVector3> & centers,
        const std::vector<Index>::iterator      begin,
        const std::vector<Index>::iterator      end,
        const std::size_t                       most,
+       const double                            share,
        std::vector<std::vector<Index>> &       parts)
 {
   const auto count = static_cast<std::size_t>(end - begin);
@@ -37,45 +38,57 @@ Divide(const std::vector<MedialVoxelVector3> & centers,
     longest = length > extent ? axis : longest;
     extent = std::max(extent, length);
   }
-  const auto middle = begin + static_cast<std::ptrdiff_t>(count / 2);
+  const auto low = static_cast<std::ptrdiff_t>(share * static_cast<double>(count));
+  const auto middle = begin + std::max<std::ptrdiff_t>(1, low);
   std::nth_element(begin, middle, end, [&](const Index a, const Index b) {
     return centers[a][longest] != centers[b][longest] ? centers[a][longest] < centers[b][longest] : a < b;
   });
-  Divide(centers, begin, middle, most, parts);
-  Divide(centers, middle, end, most, parts);
+  Divide(centers, begin, middle, most, share, parts);
+  Divide(centers, middle, end, most, share, parts);
 }
 
 } // namespace
 
-MedialVoxelSheetDivision
-MedialVoxelDivideSheet(const MedialVoxelSheet & sheet, const std::size_t most)
+std::vector<std::vector<Index>>
+MedialVoxelDividePlaces(const std::vector<MedialVoxelVector3> & places,
+                        std::vector<Index>                      numbers,
+                        const std::size_t                       most,
+                        const double                            share)
 {
-  std::vector<MedialVoxelVector3> centers;
-  for (const auto & corners : sheet.triangles)
+  assert(most > 0 && share > 0.0 && share < 1.0);
+  std::vector<std::vector<Index>> parts;
+  Divide(places, numbers.begin(), numbers.end(), most, share, parts);
+  return parts;
+}
+
+MedialVoxelComplexDivision
+MedialVoxelDivideComplex(const MedialVoxelTriangleComplex & complex, const std::size_t most, const double share)
+{
+  std::vector<MedialVoxelVector3> centers(complex.GetNumberOfTriangles());
+  std::vector<Index>              order;
+  for (Index triangle = 0; triangle < complex.GetNumberOfTriangles(); ++triangle)
   {
-    MedialVoxelVector3 sum{};
-    for (const Index corner : corners)
+    if (complex.IsTriangle(triangle))
     {
-      for (unsigned int axis = 0; axis < 3; ++axis)
+      order.push_back(triangle);
+      for (const MedialVoxelVector3 & corner : complex.GetCorners(triangle))
       {
-        sum[axis] += sheet.points[corner][axis];
+        std::transform(
+          corner.begin(), corner.end(), centers[triangle].begin(), centers[triangle].begin(), std::plus<double>());
       }
     }
-    centers.push_back(sum);
   }
-  std::vector<Index> order(sheet.triangles.size());
-  std::iota(order.begin(), order.end(), Index{ 0 });
-  MedialVoxelSheetDivision division;
-  Divide(centers, order.begin(), order.end(), most, division.parts);
+  MedialVoxelComplexDivision division;
+  division.parts = MedialVoxelDividePlaces(centers, std::move(order), most, share);
 
-  constexpr Index    none = ~Index{ 0 };
-  std::vector<Index> partOf(sheet.points.size(), none);
-  division.isShared.resize(sheet.points.size());
+  constexpr Index    none = MedialVoxelTriangleComplex::None;
+  std::vector<Index> partOf(complex.GetNumberOfVertices(), none);
+  division.isShared.resize(partOf.size());
   for (Index part = 0; part < division.parts.size(); ++part)
   {
     for (const Index triangle : division.parts[part])
     {
-      for (const Index corner : sheet.triangles[triangle])
+      for (const Index corner : complex.GetTriangle(triangle))
       {
         division.isShared[corner] = division.isShared[corner] || (partOf[corner] != none && partOf[corner] != part);
         partOf[corner] = part;
@@ -83,15 +96,6 @@ MedialVoxelDivideSheet(const MedialVoxelSheet & sheet, const std::size_t most)
     }
   }
   return division;
-}
-
-void
-MedialVoxelRunInOrder(const std::size_t count, const MedialVoxelTask & task)
-{
-  for (std::size_t number = 0; number < count; ++number)
-  {
-    task(number, [] {});
-  }
 }
 
 } // end namespace itk

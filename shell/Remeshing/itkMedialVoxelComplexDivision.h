@@ -3,34 +3,33 @@
 #ifndef itkMedialVoxelComplexDivision_h
 #define itkMedialVoxelComplexDivision_h
 
-#include "itkMedialVoxelSheet.h"
-
-#include <functional>
+#include "itkMedialVoxelTriangleComplex.h"
 
 namespace itk
 {
 
-/** Parts of a sheet that can be done at the same time. */
-struct MedialVoxelSheetDivision
+/** Cuts places across their longest extent, until no part has more of them than \a most.
+ * \param numbers of the places that count
+ * \param share   of them, > 0 and < 1, on the low side of a cut: another share cuts elsewhere
+ * \return numbers of each part, in their order */
+std::vector<std::vector<MedialVoxelTriangleComplex::Index>>
+MedialVoxelDividePlaces(const std::vector<MedialVoxelVector3> &        places,
+                        std::vector<MedialVoxelTriangleComplex::Index> numbers,
+                        std::size_t                                    most,
+                        double                                         share);
+
+/** Parts of a complex that can be done at the same time. */
+struct MedialVoxelComplexDivision
 {
-  using Index = MedialVoxelSheet::Index;
+  using Index = MedialVoxelTriangleComplex::Index;
 
   std::vector<std::vector<Index>> parts;    ///< numbers of the triangles of each
-  std::vector<bool>               isShared; ///< of each point, whether several parts have it
+  std::vector<bool>               isShared; ///< of each vertex, whether several parts have it
 };
 
-/** Halves a sheet across its longest extent, until no part has more triangles than \a most. */
-MedialVoxelSheetDivision
-MedialVoxelDivideSheet(const MedialVoxelSheet & sheet, std::size_t most);
-
-/** Calls task(number, check) for all numbers below a count, in any order and at the same time. Tasks call check()
- * often, which may throw to stop. */
-using MedialVoxelTask = std::function<void(std::size_t number, const std::function<void()> & check)>;
-using MedialVoxelRunTasks = std::function<void(std::size_t count, const MedialVoxelTask & task)>;
-
-/** One after the other. */
-void
-MedialVoxelRunInOrder(std::size_t count, const MedialVoxelTask & task);
+/** Cuts a complex as MedialVoxelDividePlaces() cuts the middles of its triangles. */
+MedialVoxelComplexDivision
+MedialVoxelDivideComplex(const MedialVoxelTriangleComplex & complex, std::size_t most, double share);
 
 } // end namespace itk
 
