@@ -3,9 +3,9 @@
 """Functions for arrays that call the program: what it writes for a file of the same values, with the axes of NumPy."""
 
 import json
-import pathlib
-import tempfile
+import os
 import unittest
+from unittest import mock
 
 import medialvoxel
 import numpy as np
@@ -100,11 +100,13 @@ class ByProgram(Folder):
             self.assertIn(message, str(caught.exception))
 
     def test_progress_and_what_is_left(self):
-        before = set(pathlib.Path(tempfile.gettempdir()).glob("medialvoxel-*"))
         seen = []
-        medialvoxel.thin_places(scene(), thin_below=2, lower=40, progress=seen.append)
-        self.assertEqual((seen, seen[-1]), (sorted(seen), 1.0))
-        self.assertLessEqual(set(pathlib.Path(tempfile.gettempdir()).glob("medialvoxel-*")), before)
+        with mock.patch("tempfile.tempdir", str(self.folder)):
+            medialvoxel.thin_places(scene(), thin_below=2, lower=40, progress=lambda done: seen.append((done, os.listdir(self.folder))))
+        shares = [done for done, _ in seen]
+        self.assertEqual((shares, shares[-1]), (sorted(shares), 1.0))
+        self.assertEqual({len(names) for _, names in seen}, {2})  # for the array, and for the report
+        self.assertEqual(os.listdir(self.folder), [])
 
 
 if __name__ == "__main__":
