@@ -128,7 +128,7 @@ class Threads(unittest.TestCase):
             "import os, sys; sys.path.insert(0, {tests!r}); os.sched_setaffinity(0, list(os.sched_getaffinity(0))[:1])\n"
             "import medialvoxel, support\n"
             "begin, most = len(os.listdir('/proc/self/task')), []\n"
-            "medialvoxel.extract(support.blob(160), threads={threads}, progress=lambda _: most.append(len(os.listdir('/proc/self/task'))))\n"
+            "medialvoxel.extract(support.blob(), threads={threads}, progress=lambda _: most.append(len(os.listdir('/proc/self/task'))))\n"
             "print(max(most) - begin)\n"
         )
         for threads, expected in ((None, 1), (3, 3)):
