@@ -30,24 +30,24 @@ from run_benchmarks import describe_revision, text_of
 
 def labels_of(thickness):
     """A call that finds labels alone."""
-    return lambda mask, threads: medialvoxel.extract(mask, thickness, thickness_map=False, vectors=False, threads=threads)
+    return lambda mask, threads: medialvoxel.extract(mask, thickness=thickness, thickness_map=False, threads=threads)
 
 
 CALLS = {
-    "medialvoxel.extract, automatic, all outputs": lambda mask, threads: medialvoxel.extract(mask, threads=threads),
+    "medialvoxel.extract, automatic, all outputs": lambda mask, threads: medialvoxel.extract(mask, vectors=True, threads=threads),
     "medialvoxel.extract, thickness 3, labels alone": labels_of(3),
     "medialvoxel.extract, thickness 5, labels alone": labels_of(5),
     "skimage.morphology.skeletonize (curves)": lambda mask, _: morphology.skeletonize(mask),
     "medialvoxel.mesh": lambda mask, threads: medialvoxel.mesh(mask, threads=threads),
     "skimage.measure.marching_cubes (faces)": lambda mask, _: measure.marching_cubes(mask, 0.5),
     "medialvoxel.distance, inside": lambda mask, threads: medialvoxel.distance(
-        mask, boundary="background", region="inside", threads=threads
+        mask, boundary="background", region="inside", vectors=True, threads=threads
     ),
     "scipy.ndimage.distance_transform_edt with indices": lambda mask, _: ndimage.distance_transform_edt(
         mask, return_indices=True
     ),
     "medialvoxel.local_thickness, at most 16": lambda mask, threads: medialvoxel.local_thickness(
-        mask, maximum=16, threads=threads
+        mask, largest_ball=16, threads=threads
     ),
 }
 

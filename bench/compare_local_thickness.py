@@ -57,7 +57,7 @@ def parse_arguments():
 
 def measure(mask, rounds):
     largest = 2 * float(ndimage.distance_transform_edt(mask).max()) + 1
-    ours = {f"medialvoxel, threads {n}": lambda mask, n=n: medialvoxel.local_thickness(mask, method="sphere", maximum=largest, threads=n) for n in (1, 2)}
+    ours = {f"medialvoxel, threads {n}": lambda mask, n=n: medialvoxel.local_thickness(mask, method="sphere", largest_ball=largest, threads=n) for n in (1, 2)}
     ways, seconds, found = ours | PEERS, {}, {}
     for number in range(rounds):
         names = list(ways)[number % len(ways) :] + list(ways)[: number % len(ways)]

@@ -19,8 +19,9 @@ import xml.etree.ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 REFERENCE = ROOT / "doc/reference"
-sys.path.insert(0, str(ROOT / "wrapping"))
+sys.path[:0] = [str(ROOT / "doc"), str(ROOT / "wrapping")]
 
+import array_reference  # noqa: E402
 import header_comments  # noqa: E402
 
 NOTICE = """<!-- SPDX-FileCopyrightText: MedialVoxel contributors -->
@@ -383,6 +384,7 @@ def main():
         REFERENCE / "commands.md": make_commands(catalog),
         REFERENCE / "formats.md": make_formats(catalog),
         REFERENCE / "report.md": make_report(catalog, schema),
+        REFERENCE / "arrays.md": array_reference.make_arrays(NOTICE, table),
         REFERENCE / "python.md": make_python(),
         REFERENCE / "slicer.md": make_slicer(description),
     }

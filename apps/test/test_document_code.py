@@ -25,6 +25,7 @@ SECONDS = 120
 NOT_RUN = (
     ("README.md", "./scripts/demo", "installs packages, builds, and runs all tests"),
     ("README.md", "scripts/install-packages build program", "installs packages and builds"),
+    ("README.md", "scripts/package", "builds ITK and an archive, half an hour; scripts/test-package runs it"),
     ("doc/getting-started/terminal.md", "scripts/install-packages build program", "installs packages and builds"),
     ("doc/getting-started/slicer.md", "scripts/install-packages build program", "installs packages and builds"),
     ("doc/getting-started/slicer.md", "cmake -S . -B build/extension", "needs a build tree of 3D Slicer"),

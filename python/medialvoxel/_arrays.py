@@ -4,23 +4,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, Literal, Union
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _native
 from ._options import make_flags, make_options, read_flag
+from ._parameters import describe
+from ._progress import Progress, show
 from ._results import Distances, LocalThickness, Medial, Mesh
+from ._threads import count_processors
 from ._warnings import warn
 
-Number = Union[int, float, np.integer, np.floating]
-Progress = Union[Callable[[float], object], bool, None]
+Number = Union[int, float, np.integer[Any], np.floating[Any]]
 Smooth = Union[Literal["auto", "on", "off"], bool, None]
 
 
-def _prepare(array: ArrayLike) -> np.ndarray:
+def prepare(array: ArrayLike) -> NDArray[Any]:
     """The values as the library reads them; a copy only where they are not so already."""
     if isinstance(array, np.ma.MaskedArray):
         raise ValueError("the array is masked; fill it first, such as by array.filled(0)")
@@ -41,7 +43,7 @@ def _prepare(array: ArrayLike) -> np.ndarray:
     )
 
 
-def _check_spacing(spacing: Any, dimension: int) -> tuple[float, ...]:
+def check_spacing(spacing: Any, dimension: int) -> tuple[float, ...]:
     if spacing is None:
         return (1.0,) * dimension
     try:
@@ -56,57 +58,36 @@ class _Call:
     """An array, and what is made of it."""
 
     def __init__(self, array: ArrayLike, spacing: Any) -> None:
-        self.values = _prepare(array)
+        self.values = prepare(array)
         self.shape = self.values.shape
-        self.spacing = _check_spacing(spacing, self.values.ndim)
+        self.spacing = check_spacing(spacing, self.values.ndim)
 
-    def make(self, dtype: Any, components: int = 1) -> np.ndarray:
+    def make(self, dtype: DTypeLike, components: int = 1) -> NDArray[Any]:
         """An output for run(), which writes each of its values."""
         return np.empty(self.shape + ((components,) if components > 1 else ()), dtype)
 
-    def make_vectors(self, wanted: bool) -> np.ndarray | None:
+    def make_vectors(self, wanted: bool) -> NDArray[np.float32] | None:
         return self.make(np.float32, 3) if wanted else None
 
-    def take_vectors(self, vectors: np.ndarray | None) -> np.ndarray | None:
+    def take_vectors(self, vectors: NDArray[np.float32] | None) -> NDArray[np.float32] | None:
         """Vectors with a number for each axis of the array."""
         return vectors if vectors is None or len(self.shape) == 3 else np.ascontiguousarray(vectors[..., 1:])
 
-    def run(self, arguments: Sequence[str], outputs: dict[str, np.ndarray | None], progress: Progress) -> Any:
-        bar = _make_bar() if progress is True else None
-        show = bar.show if bar else progress or None
-        try:
-            numbers, surface = _native.run(self.values, self.spacing, arguments, outputs, show)
-        finally:
-            if bar:
-                bar.close()
+    def run(self, arguments: Sequence[str], outputs: dict[str, NDArray[Any] | None], progress: Progress) -> Any:
+        with show(progress) as take:
+            numbers, surface = _native.run(self.values, self.spacing, arguments, outputs, take)
         warn(numbers["warnings"])
         return numbers, surface
 
 
-class _Bar:
-    def __init__(self, bar: Any) -> None:
-        self._bar = bar
-
-    def show(self, done: float) -> None:
-        self._bar.update(done - self._bar.n)
-
-    def close(self) -> None:
-        self._bar.close()
-
-
-def _make_bar() -> _Bar:
-    from tqdm.auto import tqdm
-
-    return _Bar(tqdm(total=1.0, bar_format="{l_bar}{bar}| {elapsed}<{remaining}"))
-
-
+@describe
 def extract(
     array: ArrayLike,
+    *,
     thickness: Number | Literal["auto"] = "auto",
-    spacing: Number | Sequence[Number] | None = None,
+    spacing: ArrayLike | None = None,
     lower: Number | Literal["otsu"] | None = None,
     upper: Number | None = None,
-    *,
     label: int | None = None,
     labels: Literal["all"] | Iterable[int] | None = None,
     smooth: Smooth = None,
@@ -116,7 +97,7 @@ def extract(
     voxel_units: bool = False,
     thickness_map: bool = True,
     uncertainty: bool = False,
-    vectors: bool = True,
+    vectors: bool = False,
     vector_boundary: Literal["object", "background"] = "object",
     sub_voxel: bool | None = None,
     materials: tuple[Number, Number] | None = None,
@@ -126,41 +107,23 @@ def extract(
 ) -> Medial:
     """The medial cells of an object, the thickness of its walls, and vectors to its boundary.
 
-    array: 2 or 3 axes of bool, integers of 8 to 64 bits or real numbers of 16, 32 or 64 bits; any order, strides and byte
-        order. A contiguous array of native numbers is not copied.
-    thickness: of the walls that become sheets, > 0; "auto" (default): each wall by its own thickness.
-    spacing: (z, y, x), from 1e-12 to 1e12, or one number for all axes; default 1.
-    lower, upper: smallest and largest value of the object; lower="otsu" measures it. Default: all values but 0.
-    label: the one value of the object. labels: each of these values, or "all", is an object of its own.
-    smooth: noise of the object: "on", "off", or "auto", the default with thickness="auto", where it is rough.
-    min_thickness, max_thickness: limits of "auto"; default 3 and 16 voxels of the smallest spacing.
-    max_pore_size: largest pore or grain that is left out, from 0 to 1000000 voxels; default 32 with "auto", otherwise 0.
-    voxel_units: lengths are in voxels instead of units of the spacing.
-    thickness_map, vectors: make these outputs too, of 4 and 12 bytes for each voxel; vectors not with `labels`.
-    uncertainty: make this output too, of 4 bytes for each voxel; it needs `lower` or `upper`, and walls that can be fitted.
-    vector_boundary: voxels that vectors lead to: those of the object, or of the background.
-    sub_voxel: measure the thickness on gray values, which needs `lower` or `upper`: by fits of blurred walls, or, where these
-        cannot be, where values cross the threshold. False: on the object. Default: by fits, else on the object.
-    materials: values of (background, material) for these fits, which differ; default those of the scan.
-    threads: 1 or more; default one for each processor. memory: limit of what the work takes beside arrays, in bytes or as
-        text such as "2G"; default none. Neither changes results.
-    progress: called with the share that is done, from 0 to 1, about 20 times a second; an exception of it stops the work.
-        True shows a bar of tqdm.
+    Returns
+    -------
+    Medial
 
-    Raises ValueError for wrong values, with the message of the program, MemoryError, and what progress raises. Ctrl-C
-    stops the work. Warns by MedialVoxelWarning of what makes results doubtful.
-
-        >>> import numpy as np
-        >>> ring = np.hypot(*np.mgrid[-20:21, -20:21])
-        >>> walls = extract(ring, lower=8, upper=13, spacing=0.5)
-        >>> walls.labels.shape, walls.vectors.shape, walls.origin
-        ((41, 41), (41, 41, 2), (0.25, 0.25))
+    Examples
+    --------
+    >>> import numpy as np
+    >>> ring = np.hypot(*np.mgrid[-20:21, -20:21])
+    >>> walls = extract(ring, lower=8, upper=13, spacing=0.5, vectors=True)
+    >>> walls.labels.shape, walls.vectors.shape, walls.origin
+    ((41, 41), (41, 41, 2), (0.25, 0.25))
     """
     call = _Call(array, spacing)
     separate = labels is not None
     thickness_map, uncertainty = read_flag("thickness_map", thickness_map), read_flag("uncertainty", uncertainty)
     vectors = read_flag("vectors", vectors) and not separate
-    outputs = {
+    outputs: dict[str, Any] = {
         "labels": call.make(np.uint8),
         "thickness": call.make(np.float32) if thickness_map else None,
         "uncertainty": call.make(np.float32) if uncertainty else None,
@@ -179,17 +142,14 @@ def extract(
         "materials": materials,
         "vectors": "vectors.mha" if vectors else None,
         "vector_boundary": vector_boundary if vectors else None,
-        "threads": threads,
+        "threads": count_processors() if threads is None else threads,
         "memory": memory,
     }
     flags = make_flags({"voxel_units": voxel_units})
     numbers, _ = call.run(["extract", "array", "labels.mha", *make_options(options), *flags], outputs, progress)
+    outputs["vectors"] = call.take_vectors(outputs["vectors"])
     return Medial(
-        labels=outputs["labels"],
-        thickness=outputs["thickness"],
-        uncertainty=outputs["uncertainty"],
-        vectors=call.take_vectors(outputs["vectors"]),
-        objects=outputs["objects"],
+        **_part_rims(outputs),
         counts=numbers["counts"],
         object_counts=numbers.get("objects", []),
         origin=tuple(0.5 * step if size > 1 else 0.0 for size, step in zip(call.shape, call.spacing)),
@@ -202,13 +162,14 @@ def extract(
     )
 
 
+@describe
 def mesh(
     array: ArrayLike,
+    *,
     thickness: Number | Literal["auto"] = "auto",
-    spacing: Number | Sequence[Number] | None = None,
+    spacing: ArrayLike | None = None,
     lower: Number | Literal["otsu"] | None = None,
     upper: Number | None = None,
-    *,
     label: int | None = None,
     smooth: Smooth = None,
     min_thickness: Number | None = None,
@@ -227,26 +188,18 @@ def mesh(
 ) -> Mesh:
     """The medial surface of an object of 3 axes as a mesh, with the thickness of the walls at its points.
 
-    triangles: split the quadrilaterals.
-    min_component_size: leave out connected pieces of fewer quadrilaterals.
-    min_branch_length: leave out branches that are shorter, in units of the spacing.
-    element_size: length of the sides of the faces, in units of the spacing, at least its smallest one; at junctions and
-        bends they are as long as the wall is thick at least. "auto": as long as the wall is thick, at least two voxels,
-        for solvers. "voxel" (default): a face for each voxel. Elements of a size are quadrilaterals and triangles, or
-        triangles alone with `triangles`.
-    extend_rims: carry the sheet on in its plane to the free edges of the part. Needs an element size.
-    sub_voxel: measure the thickness on gray values, which needs `lower` or `upper`, and place points between voxels.
-        Default: on for elements of a size with one of `lower` and `upper`, else off. A mask is measured halfway between its
-        two values.
+    Returns
+    -------
+    Mesh
 
-    Other parameters and errors: as extract().
-
-        >>> import numpy as np
-        >>> plate = np.zeros((12, 30, 30))
-        >>> plate[4:8, 3:27, 3:27] = 1
-        >>> surface = mesh(plate)
-        >>> surface.faces.shape[1], float(surface.points[:, 0].mean().round(3))
-        (4, 5.5)
+    Examples
+    --------
+    >>> import numpy as np
+    >>> plate = np.zeros((12, 30, 30))
+    >>> plate[4:8, 3:27, 3:27] = 1
+    >>> surface = mesh(plate)
+    >>> surface.faces.shape[1], float(surface.points[:, 0].mean().round(3))
+    (4, 5.5)
     """
     call = _Call(array, spacing)
     if len(call.shape) != 3:
@@ -260,45 +213,48 @@ def mesh(
         "min_branch_length": min_branch_length,
         "element_size": element_size,
         "sub_voxel": sub_voxel,
-        "threads": threads,
+        "threads": count_processors() if threads is None else threads,
         "memory": memory,
     }
     flags = make_flags({"voxel_units": voxel_units, "triangles": triangles, "extend_rims": extend_rims})
     numbers, surface = call.run(["mesh", "array", "mesh.vtp", *make_options(options), *flags], {}, progress)
-    return Mesh(*surface, lower=numbers["lower"])
+    points, faces, thickness_of_points = surface
+    return Mesh(points, faces, thickness_of_points, numbers["lower"])
 
 
+@describe
 def distance(
     array: ArrayLike,
-    spacing: Number | Sequence[Number] | None = None,
+    *,
+    spacing: ArrayLike | None = None,
     lower: Number | Literal["otsu"] | None = None,
     upper: Number | None = None,
-    *,
     label: int | None = None,
     boundary: Literal["object", "background"] = "object",
     region: Literal["both", "inside", "outside"] = "both",
+    vectors: bool = False,
     max_distance: Number | None = None,
     voxel_units: bool = False,
     threads: int | None = None,
     memory: int | str | None = None,
     progress: Progress = None,
 ) -> Distances:
-    """Exact vectors and signed distances to the nearest boundary voxel.
+    """Exact signed distances, and vectors, to the nearest boundary voxel.
 
-    boundary: voxels that distances are measured to: those of the object, or of the background.
-    region: voxels that get a value; 0 elsewhere.
-    max_distance: > 0; voxels further away are NaN.
+    Returns
+    -------
+    Distances
 
-    Other parameters and errors: as extract().
-
-        >>> import numpy as np
-        >>> bar = np.zeros((7, 7), np.uint8)
-        >>> bar[2:5, :] = 1
-        >>> distance(bar).distance[:, 3].tolist()
-        [2.0, 1.0, 0.0, -1.0, 0.0, 1.0, 2.0]
+    Examples
+    --------
+    >>> import numpy as np
+    >>> bar = np.zeros((7, 7), np.uint8)
+    >>> bar[2:5, :] = 1
+    >>> distance(bar).distance[:, 3].tolist()
+    [2.0, 1.0, 0.0, -1.0, 0.0, 1.0, 2.0]
     """
     call = _Call(array, spacing)
-    outputs = {"vectors": call.make_vectors(True), "distance": call.make(np.float32)}
+    outputs: dict[str, Any] = {"vectors": call.make_vectors(read_flag("vectors", vectors)), "distance": call.make(np.float32)}
     options = {
         "lower": lower,
         "upper": upper,
@@ -306,20 +262,22 @@ def distance(
         "boundary": boundary,
         "region": region,
         "max_distance": max_distance,
-        "threads": threads,
+        "threads": count_processors() if threads is None else threads,
         "memory": memory,
     }
     words = ["distance", "array", "vectors.mha", *make_options(options), *make_flags({"voxel_units": voxel_units})]
     numbers, _ = call.run(words, outputs, progress)
-    return Distances(outputs["distance"], call.take_vectors(outputs["vectors"]), numbers["counts"], numbers["lower"])
+    outputs["vectors"] = call.take_vectors(outputs["vectors"])
+    return Distances(**outputs, counts=numbers["counts"], lower=numbers["lower"])
 
 
+@describe
 def local_thickness(
     array: ArrayLike,
-    spacing: Number | Sequence[Number] | None = None,
+    *,
+    spacing: ArrayLike | None = None,
     lower: Number | Literal["otsu"] | None = None,
     upper: Number | None = None,
-    *,
     method: Literal["wall", "sphere"] = "wall",
     sub_voxel: bool | None = None,
     largest_ball: Number | None = None,
@@ -329,29 +287,28 @@ def local_thickness(
     memory: int | str | None = None,
     progress: Progress = None,
 ) -> LocalThickness:
-    """Of each object voxel, the thickness of the wall whose ball is the largest that covers it. extract() measures walls
-    in the same way, from face to face, here with its defaults but without smoothing and pores.
+    """Of each object voxel, the thickness of the wall whose ball is the largest that covers it.
 
-    method: "wall" leaves edges and corners that no wall covers NaN. "sphere" is the diameter of the largest ball inside
-        the object that covers a voxel, as Hildebrand and Ruegsegger (1997) define it, for comparison with other programs.
-    sub_voxel: as in extract(). Not with "sphere".
-    largest_ball: diameter at which balls are cut, and the largest thickness, > 0, at most 256 voxels of the smallest spacing;
-        default 32 voxels of the largest spacing. Time and memory grow with it.
+    extract() measures walls in the same way, from face to face, here with its defaults but without smoothing and pores. Nothing
+    is known outside of the array: an object that it cuts may be found too thick beside its faces.
 
-    Nothing is known outside of the array: an object that it cuts may be found too thick beside its faces.
-    Other parameters and errors: as extract().
+    Returns
+    -------
+    LocalThickness
 
-        >>> import numpy as np
-        >>> plate = np.zeros((12, 30, 30), bool)
-        >>> plate[4:8] = True
-        >>> found = local_thickness(plate, spacing=0.5)
-        >>> np.unique(found.thickness).tolist(), found.counts["voxels_at_maximum"]
-        ([0.0, 2.0], 0)
+    Examples
+    --------
+    >>> import numpy as np
+    >>> plate = np.zeros((12, 30, 30), bool)
+    >>> plate[4:8] = True
+    >>> found = local_thickness(plate, spacing=0.5)
+    >>> np.unique(found.thickness).tolist(), found.counts["voxels_at_maximum"]
+    ([0.0, 2.0], 0)
     """
     call = _Call(array, spacing)
     if read_flag("voxel_units", voxel_units):
         call.spacing = (1.0,) * len(call.shape)
-    outputs = {"thickness": call.make(np.float32)}
+    outputs: dict[str, Any] = {"thickness": call.make(np.float32)}
     options = {
         "local_thickness_method": method,
         "largest_ball": largest_ball,
@@ -359,12 +316,21 @@ def local_thickness(
         "lower": lower,
         "upper": upper,
         "label": label,
-        "threads": threads,
+        "threads": count_processors() if threads is None else threads,
         "memory": memory,
     }
     words = ["surface", "array", "thickness.vtp", *make_options(options)]
     numbers, _ = call.run(words, outputs, progress)
-    return LocalThickness(outputs["thickness"], numbers["counts"], numbers["lower"])
+    return LocalThickness(**outputs, counts=numbers["counts"], lower=numbers["lower"])
+
+
+def _part_rims(outputs: dict[str, Any]) -> dict[str, Any]:
+    """The sign of a thickness as a mask of its own, so that what is greater than 0 was measured."""
+    thickness = outputs["thickness"]
+    rims = None if thickness is None else thickness < 0
+    if rims is not None:
+        thickness[rims] = 0
+    return outputs | {"rims": rims}
 
 
 def _make_thickness_options(

@@ -21,6 +21,7 @@ from collections.abc import Sequence
 from typing import Any, NoReturn
 
 import numpy as np
+from numpy.typing import NDArray
 
 # Exit statuses, which are those of the program.
 _DONE, _LIMIT_FAILS, _USAGE, _REFUSED, _CORRUPT = range(5)
@@ -56,15 +57,15 @@ class CheckError(Exception):
         self.status = status
 
 
-def _norm(vectors: np.ndarray) -> np.ndarray:
+def _norm(vectors: NDArray[Any]) -> NDArray[Any]:
     return np.sqrt((vectors * vectors).sum(axis=-1))
 
 
-def _divide(a: np.ndarray, b: np.ndarray, otherwise: float) -> np.ndarray:
+def _divide(a: NDArray[Any], b: NDArray[Any], otherwise: float) -> NDArray[Any]:
     return np.divide(a, b, out=np.full(np.shape(a), otherwise), where=b > 0)
 
 
-def _measure_shapes(points: np.ndarray, elements: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _measure_shapes(points: NDArray[Any], elements: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
     """Scaled Jacobians and aspect ratios of elements that all have three or all four corners."""
     number = elements.shape[1]
     corners = points[elements]
@@ -87,12 +88,12 @@ def _measure_shapes(points: np.ndarray, elements: np.ndarray) -> tuple[np.ndarra
     return jacobians, aspects
 
 
-def _angles_between(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+def _angles_between(a: NDArray[Any], b: NDArray[Any]) -> NDArray[Any]:
     """In degrees; 0 where one of the vectors is zero."""
     return np.degrees(np.arccos(_divide((a * b).sum(axis=-1), _norm(a) * _norm(b), 1.0).clip(-1, 1)))
 
 
-def _measure_warpage(corners: np.ndarray) -> np.ndarray:
+def _measure_warpage(corners: NDArray[Any]) -> NDArray[Any]:
     """Of quadrilaterals: the angle between the halves, along the diagonal where it is larger."""
     warpage = np.zeros(len(corners))
     for first in (0, 1):
@@ -101,7 +102,7 @@ def _measure_warpage(corners: np.ndarray) -> np.ndarray:
     return warpage
 
 
-def _measure_sizes(points: np.ndarray, elements: np.ndarray) -> dict[str, float]:
+def _measure_sizes(points: NDArray[Any], elements: NDArray[Any]) -> dict[str, float]:
     """Warpage and angles in degrees, and lengths of sides."""
     is_triangle = elements[:, 3] < 0
     angles, lengths = [], []
@@ -122,13 +123,13 @@ def _measure_sizes(points: np.ndarray, elements: np.ndarray) -> dict[str, float]
     }
 
 
-def _count_repeated(rows: np.ndarray) -> int:
+def _count_repeated(rows: NDArray[Any]) -> int:
     """How many of the rows come again."""
     ordered = rows[np.lexsort(rows.T)]
     return int((ordered[1:] == ordered[:-1]).all(axis=1).sum())
 
 
-def _find_roots(number: int, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+def _find_roots(number: int, a: NDArray[Any], b: NDArray[Any]) -> NDArray[Any]:
     """The lowest number that pairs of a and b join each number to."""
     roots = np.arange(number)
     while True:
@@ -142,7 +143,7 @@ def _find_roots(number: int, a: np.ndarray, b: np.ndarray) -> np.ndarray:
             roots = roots[roots]
 
 
-def _count_walls(number: int, a: np.ndarray, b: np.ndarray, alike: np.ndarray) -> tuple[int, int, int]:
+def _count_walls(number: int, a: NDArray[Any], b: NDArray[Any], alike: NDArray[Any]) -> tuple[int, int, int]:
     """Walls, those with one side only, and others that are turned both ways.
 
     a, b: elements that share a side of no other one. alike: whether both go the same way along it."""
@@ -155,7 +156,7 @@ def _count_walls(number: int, a: np.ndarray, b: np.ndarray, alike: np.ndarray) -
     return len(np.unique(walls)), len(one_sided), len(turned)
 
 
-def _count_hanging(points: np.ndarray, rims: np.ndarray) -> int:
+def _count_hanging(points: NDArray[Any], rims: NDArray[Any]) -> int:
     """Ends of rims that lie on another rim, between its ends."""
     nodes = np.unique(rims)
     if not len(nodes):
@@ -185,7 +186,7 @@ def _count_hanging(points: np.ndarray, rims: np.ndarray) -> int:
     return int(hanging.sum())
 
 
-def _measure_sides(points: np.ndarray, elements: np.ndarray) -> dict[str, int]:
+def _measure_sides(points: NDArray[Any], elements: NDArray[Any]) -> dict[str, int]:
     follower = np.roll(elements, -1, axis=1)
     is_triangle = elements[:, 3] < 0
     follower[is_triangle, 2] = elements[is_triangle, 0]
@@ -211,7 +212,7 @@ def _measure_sides(points: np.ndarray, elements: np.ndarray) -> dict[str, int]:
     }
 
 
-def measure(points: np.ndarray, elements: np.ndarray, least_jacobian: float = 0.3, most_aspect: float = 5.0) -> dict[str, Any]:
+def measure(points: NDArray[Any], elements: NDArray[Any], least_jacobian: float = 0.3, most_aspect: float = 5.0) -> dict[str, Any]:
     """The quality of a mesh of at least one element, as `mesh.quality` of the program's report has it.
 
     points: (n, 3), finite. elements: (m, 4). least_jacobian, most_aspect: limits of scaled Jacobian and aspect ratio, which
@@ -275,7 +276,7 @@ def _read(path: pathlib.Path) -> Any:
         raise CheckError(_CORRUPT, f"{path}: meshio does not understand it: {' '.join(reason.split())}") from None
 
 
-def read(file_name: str | os.PathLike) -> tuple[np.ndarray, np.ndarray]:
+def read(file_name: str | os.PathLike[str]) -> tuple[NDArray[Any], NDArray[Any]]:
     """Points and elements of a file; what is no shell, such as beams and solids, is left out.
 
     Raises CheckError, also for shells of more than four nodes and for places that are not finite or beyond 1e30."""

@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 _DONE, _WRONG_VALUE, _OUT_OF_MEMORY, _STOPPED, _FAILED = range(5)
 _ERRORS = {_WRONG_VALUE: ValueError, _OUT_OF_MEMORY: MemoryError, _FAILED: RuntimeError}
@@ -90,13 +91,13 @@ def version() -> str:
     return _library.medialvoxel_version().decode()
 
 
-def _take_mesh(result: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _take_mesh(result: int) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
     mesh = _Mesh()
     _library.medialvoxel_mesh(result, mesh)
 
-    def copy(address: int | None, dtype: type, shape: tuple[int, ...]) -> np.ndarray:
+    def copy(address: int | None, dtype: type, shape: tuple[int, ...]) -> NDArray[Any]:
         array = np.empty(shape, dtype)
-        if array.size:
+        if array.size and address:
             ctypes.memmove(array.ctypes.data, address, array.nbytes)
         return array
 
@@ -123,12 +124,12 @@ def _watch(finished: threading.Event, control: _Control, progress: Callable[[flo
 
 
 def run(
-    array: np.ndarray,
+    array: NDArray[Any],
     spacing: Sequence[float],
     arguments: Sequence[str],
-    outputs: dict[str, np.ndarray | None],
+    outputs: dict[str, NDArray[Any] | None],
     progress: Callable[[float], object] | None,
-) -> tuple[dict[str, Any], tuple[np.ndarray, np.ndarray, np.ndarray]]:
+) -> tuple[dict[str, Any], tuple[NDArray[Any], NDArray[Any], NDArray[Any]]]:
     """Runs a command of the program on an array of 2 or 3 axes and of native numbers without gaps.
 
     The lock of the interpreter is free meanwhile. Returns numbers of the run, and the parts of the mesh."""

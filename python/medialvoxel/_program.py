@@ -7,14 +7,21 @@ from __future__ import annotations
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
-from typing import Any, NoReturn
+from collections.abc import Callable
+from typing import Any, NoReturn, Union
 
 from ._options import format_value
+from ._parameters import describe
+from ._progress import Progress, show
+from ._threads import make_environment
 from ._warnings import warn
+
+FileName = Union[str, "os.PathLike[str]"]
 
 # Where values of all axes are: x first for the program.
 _PER_AXIS = ("spacing", "raw_size", "raw_spacing")
@@ -30,7 +37,7 @@ _NOT_MEASURED = 6  # all is written, and too little was measured to know
 class ThinPlacesError(RuntimeError):
     """There are places with too thin walls, and fail_if_thin was on. All outputs are written.
 
-    report: what extract_file() returns otherwise; report["places"]["thin"] has their number and the first of them."""
+    report: what the function returns otherwise; report["places"]["thin"] has their number and the first of them."""
 
     report: dict[str, Any]
 
@@ -42,7 +49,7 @@ class ThinPlacesError(RuntimeError):
 class NotMeasuredError(RuntimeError):
     """Too little was measured for a verdict on thin walls, and fail_if_thin was on. All outputs are written.
 
-    report: what extract_file() returns otherwise; report["warnings"] has the reasons."""
+    report: what the function returns otherwise; report["warnings"] has the reasons."""
 
     report: dict[str, Any]
 
@@ -65,8 +72,8 @@ def main() -> NoReturn:
     """Becomes the program, with the arguments of this process."""
     program = find_program()
     if os.name == "nt":
-        sys.exit(subprocess.call([program, *sys.argv[1:]]))
-    os.execv(program, ["medialvoxel", *sys.argv[1:]])
+        sys.exit(subprocess.call([program, *sys.argv[1:]], env=make_environment()))
+    os.execve(program, ["medialvoxel", *sys.argv[1:]], make_environment())
 
 
 def _make_arguments(options: dict[str, Any]) -> list[str]:
@@ -97,40 +104,102 @@ def _fail(status: int, text: str) -> NoReturn:
     raise (ValueError if status in _WRONG_VALUES else RuntimeError)(message)
 
 
-def extract_file(input: str | os.PathLike, output: str | os.PathLike, **options: Any) -> dict[str, Any]:
-    """Extracts the medial cells of a file of any size into a file, as `medialvoxel extract INPUT OUTPUT` does.
-
-    options: those of the program, with underscores: thickness_map="map.mha", lower=72, memory="2G", overwrite=True.
-        True switches an option on; None and False leave it to its default. smooth=False and sub_voxel=False switch off.
-        Values of all axes are (z, y, x) as numbers, and as the program takes them as a text: spacing=(2, 1, 1) is
-        spacing="1,1,2". Two limits of places are a tuple: thin_below=(2, 2.5).
-
-    Returns the report, whose keys doc/reference/report.md lists. Raises ValueError for what the program refuses,
-    FileNotFoundError, MemoryError for a limit of memory that is too small, ThinPlacesError with fail_if_thin=True when
-    there are thin places, NotMeasuredError when too little was measured to know, RuntimeError for other failures. Warns of
-    each of the report's warnings by MedialVoxelWarning.
-    Ctrl-C stops the program."""
-    with tempfile.TemporaryDirectory(prefix="medialvoxel-") as folder:
-        wanted = options.pop("report", None)
-        report = os.fspath(wanted) if wanted else os.path.join(folder, "report.json")
-        command = [find_program(), "extract", os.fspath(input), os.fspath(output), f"--report={report}", "--progress=none"]
-        process = subprocess.Popen(
-            command + _make_arguments(options), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
-        )
+def _run(arguments: list[str], progress: Callable[[float], object] | None, stdout: int = subprocess.DEVNULL) -> tuple[int, str, str]:
+    """Status, output and errors of the program. An exception here, such as that of Ctrl-C, stops it first."""
+    command, environment = [find_program(), *arguments], make_environment()
+    with subprocess.Popen(command, stdout=stdout, stderr=subprocess.PIPE, text=True, env=environment) as process:
+        errors = ""
+        assert process.stderr is not None
         try:
-            _, errors = process.communicate()
+            for line in process.stderr:
+                if line.startswith("{") and progress:
+                    done = json.loads(line).get("progress")
+                    done is None or progress(done)
+                else:
+                    errors += line
+            return process.wait(), process.stdout.read() if process.stdout else "", errors
         except BaseException:
             process.terminate()
-            process.wait()
             raise
-        if process.returncode not in (0, _TOO_THIN, _NOT_MEASURED):
-            _fail(process.returncode, errors)
+
+
+def run_on_files(command: str, files: tuple[FileName, ...], options: dict[str, Any], progress: Progress) -> dict[str, Any]:
+    with tempfile.TemporaryDirectory(prefix="medialvoxel-") as folder, show(progress) as take:
+        report = os.fspath(options.pop("report", None) or os.path.join(folder, "report.json"))
+        style = "json" if take else "none"
+        arguments = [command, *(os.fspath(file) for file in files), f"--report={report}", f"--progress={style}", *_make_arguments(options)]
+        status, _, errors = _run(arguments, take)
+        if status not in (0, _TOO_THIN, _NOT_MEASURED):
+            _fail(status, errors)
         if options.get("dry_run"):
             return {}
-        found = json.loads(pathlib.Path(report).read_text())
-        warn(found["warnings"])
-        if process.returncode == _TOO_THIN:
-            raise ThinPlacesError(found)
-        if process.returncode == _NOT_MEASURED:
-            raise NotMeasuredError(errors.strip().splitlines()[-1].removeprefix("medialvoxel: "), found)
-        return found
+        found: dict[str, Any] = json.loads(pathlib.Path(report).read_text())
+    warn(found["warnings"])
+    if status == _TOO_THIN:
+        raise ThinPlacesError(found)
+    if status == _NOT_MEASURED:
+        raise NotMeasuredError(errors.strip().splitlines()[-1].removeprefix("medialvoxel: "), found)
+    return found
+
+
+@describe
+def extract_file(input: FileName, output: FileName, *, progress: Progress = None, **options: Any) -> dict[str, Any]:
+    """The medial cells of a file of any size, as `medialvoxel extract INPUT OUTPUT` writes them.
+
+    Returns
+    -------
+    dict[str, Any]
+        The report, whose keys doc/reference/report.md lists; empty with ``dry_run=True``.
+    """
+    return run_on_files("extract", (input, output), options, progress)
+
+
+@describe
+def mesh_file(input: FileName, output: FileName, *, progress: Progress = None, **options: Any) -> dict[str, Any]:
+    """The medial surface of a file of any size, as `medialvoxel mesh INPUT OUTPUT` writes it.
+
+    Returns
+    -------
+    dict[str, Any]
+        The report, as of extract_file().
+    """
+    return run_on_files("mesh", (input, output), options, progress)
+
+
+@describe
+def surface_file(input: FileName, output: FileName, *, progress: Progress = None, **options: Any) -> dict[str, Any]:
+    """The surface of the part in a file, with the wall thickness, as `medialvoxel surface INPUT OUTPUT` writes it.
+
+    Returns
+    -------
+    dict[str, Any]
+        The report, as of extract_file().
+    """
+    return run_on_files("surface", (input, output), options, progress)
+
+
+@describe
+def distance_file(input: FileName, output: FileName, *, progress: Progress = None, **options: Any) -> dict[str, Any]:
+    """Vectors to the boundary of a file of any size, as `medialvoxel distance INPUT VECTORS` writes them.
+
+    Returns
+    -------
+    dict[str, Any]
+        The report, as of extract_file().
+    """
+    return run_on_files("distance", (input, output), options, progress)
+
+
+@describe
+def info(input: FileName, **options: Any) -> dict[str, str]:
+    """What `medialvoxel info INPUT` tells of a volume: format, size, spacing and more.
+
+    Returns
+    -------
+    dict[str, str]
+        The lines of the program by their first word: ``info("part.mha")["size"]``. ``values=True`` adds statistics of the values.
+    """
+    status, output, errors = _run(["info", os.fspath(input), *_make_arguments(options)], None, subprocess.PIPE)
+    if status:
+        _fail(status, errors)
+    return dict(re.split(r"  +", line, maxsplit=1) for line in output.splitlines())  # type: ignore[arg-type,unused-ignore]

@@ -5,113 +5,270 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._voxels import thin
 
 
-def _describe(array: np.ndarray | None) -> str:
-    return "None" if array is None else f"{array.dtype}{list(array.shape)}"
+class _Outputs:
+    """What results have in common: an output that was not asked for is no attribute, and its error says how to ask."""
+
+    _ASKED_BY: ClassVar[dict[str, str]] = {}
+    counts: dict[str, int]
+
+    def __post_init__(self) -> None:
+        for name in self._ASKED_BY:
+            if getattr(self, name) is None:
+                object.__delattr__(self, name)
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            hint = f"; ask for it by {self._ASKED_BY[name]}" if name in self._ASKED_BY else ""
+            raise AttributeError(f"this {type(self).__name__} has no {name}{hint}")
+
+    def __repr__(self) -> str:
+        arrays = {name: value for name, value in vars(self).items() if isinstance(value, np.ndarray)}
+        described = ", ".join(f"{name}={array.dtype}{list(array.shape)}" for name, array in arrays.items())
+        main = next(name for name in ("medial_cells", "object_voxels") if name in self.counts)
+        return f"{type(self).__name__}({described}, {self.counts[main]} {main.replace('_', ' ')})"
 
 
 @dataclasses.dataclass(frozen=True, repr=False, eq=False)
-class Medial:
-    """Medial cells of an array. A cell is the center of 2 x 2 x 2 voxels and stands at the index of its lowest one; the
-    last index along each axis longer than 1 has no cell."""
+class Medial(_Outputs):
+    """Medial cells of an array.
 
-    labels: np.ndarray
-    """uint8: 0 no object, 1 not medial, 2 medial by the bound, 3 medial by the search."""
-    thickness: np.ndarray | None
-    """float32: thickness of the wall at medial cells, negative at unpaired cells (rims, junctions), 0 elsewhere; None when switched off."""
-    uncertainty: np.ndarray | None
-    """float32: half of the interval that holds the thickness in 95 % of the cases; NaN at medial cells where it is not known, 0
-    elsewhere; None when not asked for."""
-    vectors: np.ndarray | None
-    """float32, with a last axis (z, y, x): from each object voxel to the nearest boundary voxel; None when switched
-    off."""
-    objects: np.ndarray | None
-    """With `labels`: the label of the object of each cell, of the type of the array; otherwise None."""
+    A cell is the center of 2 x 2 x 2 voxels and stands at the index of its lowest one; the last index along each axis longer
+    than 1 has no cell. Arrays have a value for each cell. An output that was not asked for is no attribute.
+
+    Attributes
+    ----------
+    labels : NDArray[uint8]
+        0 no object, 1 not medial, 2 medial by the bound, 3 medial by the search.
+    thickness : NDArray[float32]
+        Thickness of the wall at medial cells where it was measured, greater than 0; 0 elsewhere, also at `rims`. Not with
+        ``thickness_map=False``.
+    rims : NDArray[bool]
+        Medial cells without a thickness: the unpaired ones, at rims and junctions, and walls that blur has joined. The file of
+        the program has negative numbers there. Not with ``thickness_map=False``.
+    uncertainty : NDArray[float32]
+        Half of the interval that holds the thickness in 95 % of the cases; NaN at medial cells where it is not known, 0
+        elsewhere. With ``uncertainty=True``.
+    vectors : NDArray[float32]
+        With a last axis (z, y, x): from each object voxel to the nearest boundary voxel. With ``vectors=True``.
+    objects : NDArray
+        The label of the object of each cell, of the type of the array. With ``labels``.
+    counts : dict[str, int]
+        Numbers of voxels and cells, by their names in the report of the program.
+    object_counts : list[dict[str, int]]
+        With ``labels``: label, voxels, candidate_cells and medial_cells of each object.
+    origin : tuple[float, ...]
+        Position of the first cell, in the units of the spacing: half a voxel along each axis longer than 1.
+    spacing : tuple[float, ...]
+        That of the array.
+    measure : dict[str, Any]
+        How the thickness was measured, as in the report of the program: `on` "object", "crossings" of the threshold or "fits";
+        `scan` with background, material, blur (in voxels) and noise of the values, or None, and the `reason` for that.
+    smoothed : bool
+        Whether the object was smoothed.
+    roughness : float
+        Share of the voxels at the border of the object that stand alone, where ``smooth="auto"`` measured it; or 0.
+    max_thickness : float or None
+        The maximum of the automatic thickness that was applied. The default of 16 voxels rises, up to 32, where a quarter of the
+        walls or more are thicker. None with a fixed thickness.
+    lower : float or None
+        The lower threshold, also that of Otsu.
+    """
+
+    _ASKED_BY = {
+        "thickness": "thickness_map=True",
+        "rims": "thickness_map=True",
+        "uncertainty": "uncertainty=True",
+        "vectors": "vectors=True, without labels",
+        "objects": "labels",
+    }
+
+    labels: NDArray[np.uint8]
+    thickness: NDArray[np.float32]
+    rims: NDArray[np.bool_]
+    uncertainty: NDArray[np.float32]
+    vectors: NDArray[np.float32]
+    objects: NDArray[Any]
     counts: dict[str, int]
-    """Numbers of voxels and cells, by their names in the report of the program."""
     object_counts: list[dict[str, int]]
-    """With `labels`: label, voxels, candidate_cells and medial_cells of each object."""
     origin: tuple[float, ...]
-    """Position of the first cell, in the units of the spacing: half a voxel along each axis longer than 1."""
     spacing: tuple[float, ...]
-    """That of the array."""
     measure: dict[str, Any]
-    """How the thickness was measured, as in the report of the program: `on` "object", "crossings" of the threshold or "fits";
-    `scan` with background, material, blur (in voxels) and noise of the values, or None, and the `reason` for that."""
     smoothed: bool
-    """Whether the object was smoothed."""
     roughness: float
-    """Share of the voxels at the border of the object that stand alone, where smooth="auto" measured it; or 0."""
     max_thickness: float | None
-    """The maximum of the automatic thickness that was applied. The default of 16 voxels rises, up to 32, where a quarter
-    of the walls or more are thicker. None with a fixed thickness."""
     lower: float | None
-    """The lower threshold, also that of Otsu."""
 
     @property
-    def medial(self) -> np.ndarray:
+    def medial(self) -> NDArray[np.bool_]:
         """bool: the medial cells."""
-        return self.labels >= 2
+        found: NDArray[np.bool_] = self.labels >= 2
+        return found
 
-    def __repr__(self) -> str:
-        return (
-            f"Medial(labels={_describe(self.labels)}, thickness={_describe(self.thickness)}, "
-            f"vectors={_describe(self.vectors)}, {self.counts['medial_cells']} medial cells)"
-        )
+    def voxels(self, mask: ArrayLike) -> NDArray[np.bool_]:
+        """The sheet as voxels of a mask, for those who expect the answer of `skimage.morphology.skeletonize`.
+
+        Of the 8 voxels of each medial cell it has one at least, where the mask has any of them. It is one voxel thick but where
+        sheets meet or bend within a voxel, and has the parts, tunnels and cavities of the voxels of all medial cells.
+
+        Parameters
+        ----------
+        mask : ArrayLike
+            What is not 0 may be in the sheet: the array, if it was one of 0 and other values, or ``array >= sheet.lower``.
+        """
+        inside = np.asarray(mask) != 0
+        if inside.shape != self.labels.shape:
+            raise ValueError(f"the mask has the shape {inside.shape}; it must be that of the sheet, {self.labels.shape}")
+        from ._arrays import distance
+
+        depth = distance(inside, spacing=self.spacing, boundary="background", region="inside").distance
+        shape = (1,) * (3 - inside.ndim) + inside.shape
+        parts = (np.reshape(part, shape) for part in (self.medial, inside, -depth))
+        return thin(*parts).reshape(inside.shape).copy()
 
 
 @dataclasses.dataclass(frozen=True, repr=False, eq=False)
-class Distances:
-    """Vectors and signed distances to the nearest boundary voxel."""
+class Distances(_Outputs):
+    """Signed distances, and perhaps vectors, to the nearest boundary voxel of each voxel.
 
-    distance: np.ndarray
-    """float32: negative inside the object; NaN beyond `max_distance` and without a boundary."""
-    vectors: np.ndarray
-    """float32, with a last axis (z, y, x): the displacement."""
+    Attributes
+    ----------
+    distance : NDArray[float32]
+        Negative inside the object; NaN beyond `max_distance` and without a boundary.
+    vectors : NDArray[float32]
+        With a last axis (z, y, x): the displacement. With ``vectors=True``.
+    counts : dict[str, int]
+        Numbers of voxels.
+    lower : float or None
+        The lower threshold, also that of Otsu.
+    """
+
+    _ASKED_BY = {"vectors": "vectors=True"}
+
+    distance: NDArray[np.float32]
+    vectors: NDArray[np.float32]
     counts: dict[str, int]
-    """Numbers of voxels."""
     lower: float | None
-    """The lower threshold, also that of Otsu."""
-
-    def __repr__(self) -> str:
-        return f"Distances(distance={_describe(self.distance)}, vectors={_describe(self.vectors)})"
 
 
 @dataclasses.dataclass(frozen=True, repr=False, eq=False)
-class LocalThickness:
-    """Thickness of walls, or diameters of the largest balls, at the voxels of an object."""
+class LocalThickness(_Outputs):
+    """Thickness of walls, or diameters of the largest balls, at the voxels of an object.
 
-    thickness: np.ndarray
-    """float32, in units of the spacing; 0 in the background, NaN in edges and corners that no wall covers."""
+    Attributes
+    ----------
+    thickness : NDArray[float32]
+        In units of the spacing; 0 in the background, NaN in edges and corners that no wall covers.
+    counts : dict[str, int]
+        Numbers of voxels; `voxels_at_maximum` are those cut at `largest_ball`, `voxels_without_wall` those that are NaN.
+    lower : float or None
+        The lower threshold, also that of Otsu.
+    """
+
+    thickness: NDArray[np.float32]
     counts: dict[str, int]
-    """Numbers of voxels; `voxels_at_maximum` are those cut at `largest_ball`, `voxels_without_wall` those that are NaN."""
     lower: float | None
-    """The lower threshold, also that of Otsu."""
 
-    def __repr__(self) -> str:
-        return f"LocalThickness(thickness={_describe(self.thickness)}, {self.counts['object_voxels']} object voxels)"
+
+@dataclasses.dataclass(frozen=True)
+class Place:
+    """Connected medial cells whose walls are too thin.
+
+    Attributes
+    ----------
+    area : float
+        Of the sheet, in squared units of the spacing; of 2 axes a length.
+    area_beyond_limit : float
+        Of the cells thinner than the limit.
+    cells : int
+        Number of cells.
+    minimum, mean, maximum : float
+        Of the thickness.
+    center : tuple[float, ...]
+        Position (z, y, x) of the thinnest cell; the first voxel of the array is at 0.
+    index : tuple[int, ...]
+        Index of that cell.
+    sides : tuple[tuple[float, ...], tuple[float, ...]]
+        Positions of the nearest voxels of the background on both sides of the wall there.
+    first, last : tuple[int, ...]
+        Smallest and largest index of the cells along each axis.
+    """
+
+    area: float
+    area_beyond_limit: float
+    cells: int
+    minimum: float
+    mean: float
+    maximum: float
+    center: tuple[float, ...]
+    index: tuple[int, ...]
+    sides: tuple[tuple[float, ...], tuple[float, ...]]
+    first: tuple[int, ...]
+    last: tuple[int, ...]
+
+
+@dataclasses.dataclass(frozen=True)
+class Places:
+    """Places with too thin walls.
+
+    Attributes
+    ----------
+    limit, grow_limit : float
+        Each place has a cell thinner than the limit; all of its cells are thinner than the second one.
+    min_place_area : float
+        Area beyond the limit of the smallest place that counts.
+    number, cells : int
+        Of places, and of their cells, also of those that are not listed.
+    area, area_beyond_limit : float
+        Of all of them.
+    smaller : int
+        Places that are left out because they are smaller.
+    places : list[Place]
+        The largest area beyond the limit first, at most 10000.
+    """
+
+    limit: float
+    grow_limit: float
+    min_place_area: float
+    number: int
+    cells: int
+    area: float
+    area_beyond_limit: float
+    smaller: int
+    places: list[Place]
 
 
 @dataclasses.dataclass(frozen=True, repr=False, eq=False)
 class Mesh:
-    """The medial surface."""
+    """A medial surface, or the surface of an object.
 
-    points: np.ndarray
-    """float64 (n, 3): z, y, x in the units of the spacing; the first voxel of the array is at 0."""
-    faces: np.ndarray
-    """int64 (m, 4), or (m, 3) where all are triangles: indices of points. A triangle among quadrilaterals has its last
-    corner twice."""
-    thickness: np.ndarray
-    """float32 (n,): thickness of the wall at each point."""
+    Attributes
+    ----------
+    points : NDArray[float64]
+        (n, 3): z, y, x in the units of the spacing; the first voxel of the array is at 0.
+    faces : NDArray[int64]
+        (m, 4), or (m, 3) where all are triangles: indices of points. A triangle among quadrilaterals has its last corner twice.
+    thickness : NDArray[float32]
+        (n,): thickness of the wall at each point; NaN where none is known.
+    lower : float or None
+        The lower threshold, also that of Otsu.
+    """
+
+    points: NDArray[np.float64]
+    faces: NDArray[np.int64]
+    thickness: NDArray[np.float32]
     lower: float | None = None
-    """The lower threshold, also that of Otsu."""
 
     @property
-    def triangles(self) -> np.ndarray:
+    def triangles(self) -> NDArray[np.int64]:
         """int64 (k, 3): the faces, split along the shorter diagonal, that from the first corner when both are as
         long."""
         if self.faces.shape[1] == 3:
@@ -119,7 +276,7 @@ class Mesh:
         halves = self._halves()
         return halves[halves[:, 0] != halves[:, 1]]
 
-    def _halves(self) -> np.ndarray:
+    def _halves(self) -> NDArray[np.int64]:
         """Of all faces; the second half of a triangle begins with one corner twice."""
         corners = self.points[self.faces]
         first = np.sum((corners[:, 0] - corners[:, 2]) ** 2, axis=1)
@@ -131,11 +288,11 @@ class Mesh:
         return np.take_along_axis(self.faces, halves.reshape(len(self.faces), 6), axis=1).reshape(-1, 3)
 
     @property
-    def _are_triangles(self) -> np.ndarray:
+    def _are_triangles(self) -> NDArray[np.bool_]:
         return self.faces[:, -1] == self.faces[:, -2]
 
     @property
-    def points_xyz(self) -> np.ndarray:
+    def points_xyz(self) -> NDArray[np.float64]:
         """float64 (n, 3): the points as x, y, z, the order of viewers and of files of meshes."""
         return np.ascontiguousarray(self.points[:, ::-1])
 

@@ -14,11 +14,11 @@ LABEL_COLORS = {0: "transparent", 1: (0.4, 0.4, 0.4, 0.25), 2: "white", 3: (1.0,
 class Settings:
     """What is looked for.
 
-    lower, upper -- the object has values from lower to upper; None: no such limit. Both None: all values but 0
+    lower, upper -- the object has values from lower to upper; None: no such limit. Both None: all values but 0. lower may be "otsu"
     thickness    -- of the walls, in the units of the scale, or "auto"
     """
 
-    lower: float | None = None
+    lower: float | str | None = None
     upper: float | None = None
     thickness: float | str = "auto"
 
@@ -47,9 +47,10 @@ def find_walls(values, spacing, settings, progress=None):
     share = 0.5 if values.ndim == 3 else 1.0
     options = dataclasses.asdict(settings) | {"spacing": spacing}
     report = progress or (lambda done: None)
-    medial = medialvoxel.extract(values, **options, vectors=False, progress=lambda done: report(share * done))
+    medial = medialvoxel.extract(values, **options, progress=lambda done: report(share * done))
     if values.ndim == 2:
         return medial, None
+    options["lower"] = medial.lower  # that of Otsu, which is measured once
     return medial, medialvoxel.mesh(values, **options, progress=lambda done: report(share + share * done))
 
 

@@ -15,8 +15,12 @@ MeasureDistances(const ArrayCall & call, const DistanceOptions & options)
   task.boundary = options.boundary;
   task.region = options.region;
   task.maximumDistance = options.maximumDistance.value_or(task.maximumDistance);
+  task.findsDisplacements = outputs.vectors != nullptr;
   const auto sums = engine.Run(object, task, [&](const itk::MedialVoxelTileResult & tile) {
-    engine.WriteVectors(tile, outputs.vectors);
+    if (task.findsDisplacements)
+    {
+      engine.WriteVectors(tile, outputs.vectors);
+    }
     tile.WriteDistances(
       { engine.GetGrid().GetSpacing() }, engine.PlaceOf(outputs.distance, tile.box), engine.GetStrides());
   });

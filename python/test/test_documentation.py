@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Examples in docstrings run, and everything public is typed and described."""
 
+import dataclasses
 import doctest
 import inspect
 import pathlib
+import re
 import typing
 import unittest
 
@@ -27,10 +29,14 @@ class Documentation(unittest.TestCase):
         self.assertTrue((pathlib.Path(medialvoxel.__file__).parent / "py.typed").exists())
 
     def test_every_parameter_is_described(self):
-        for function in (medialvoxel.extract, medialvoxel.mesh, medialvoxel.distance, medialvoxel.local_thickness):
-            described = medialvoxel.extract.__doc__ + function.__doc__
-            for name in inspect.signature(function).parameters:
-                self.assertIn(name, described)
+        for function in filter(inspect.isfunction, map(medialvoxel.__dict__.get, medialvoxel.__all__)):
+            described = re.findall(r"^(?:\*\*)?(\w+) : (?:.*\n)(    .+)", inspect.getdoc(function), re.MULTILINE)
+            self.assertEqual([name for name, _ in described], list(inspect.signature(function).parameters))
+
+    def test_every_attribute_is_described(self):
+        for result in filter(dataclasses.is_dataclass, map(medialvoxel.__dict__.get, medialvoxel.__all__)):
+            described = ", ".join(re.findall(r"^(\w.*) : ", inspect.getdoc(result), re.MULTILINE)).split(", ")
+            self.assertCountEqual(described, [field.name for field in dataclasses.fields(result)])
 
 
 if __name__ == "__main__":

@@ -40,7 +40,7 @@ OF_THE_PROGRAM = [
     ({"labels": [0]}, ["--labels=0"]),
     ({"threads": 0}, ["--threads=0"]),
     ({"memory": "much"}, ["--memory=much"]),
-    ({"vector_boundary": "none"}, ["--vectors={folder}/v.mha", "--vector-boundary=none"]),
+    ({"vectors": True, "vector_boundary": "none"}, ["--vectors={folder}/v.mha", "--vector-boundary=none"]),
 ]
 
 # Of NumPy alone: what is refused, and a part of the message.
@@ -93,7 +93,7 @@ class Errors(Folder):
     def test_spacings(self):
         for spacing, message in SPACINGS:
             with self.subTest(spacing), self.assertRaises(ValueError) as caught:
-                medialvoxel.distance(scene(), spacing)
+                medialvoxel.distance(scene(), spacing=spacing)
             self.assertIn(message, str(caught.exception))
 
     def test_labels(self):
@@ -151,10 +151,10 @@ class Errors(Folder):
     def test_flags_take_the_words_of_the_program(self):
         for value, is_on in ((False, False), ("off", False), ("no", False), (0, False), (np.False_, False), ("on", True), (1, True)):
             found = medialvoxel.extract(scene(), lower=40, vectors=value, thickness_map=value)
-            self.assertEqual((found.vectors is not None, found.thickness is not None), (is_on, is_on), value)
+            self.assertEqual((hasattr(found, "vectors"), hasattr(found, "thickness")), (is_on, is_on), value)
         spacing = (1, 1, 0.5)
         in_voxels, in_units = (
-            medialvoxel.local_thickness(scene(), spacing, 40, voxel_units=value).thickness for value in (True, "no")
+            medialvoxel.local_thickness(scene(), spacing=spacing, lower=40, voxel_units=value).thickness for value in (True, "no")
         )
         self.assertFalse(np.array_equal(in_voxels, in_units, equal_nan=True))
         for name in ("vectors", "thickness_map", "uncertainty", "voxel_units"):

@@ -12,8 +12,12 @@ import medialvoxel
 import numpy as np
 
 from interrupts import interrupt
-from support import Folder, program, read, scene, slow_noise, write
+from support import Folder, program, read, run, scene, slow_noise, write
 from processes import PATIENCE
+
+
+def fail(done):
+    raise KeyError("enough")
 
 
 class Files(Folder):
@@ -29,7 +33,9 @@ class Files(Folder):
         )
         found = medialvoxel.extract(scene().astype("uint8"), lower=40, spacing=(2.0, 1.0, 0.5))
         np.testing.assert_array_equal(read(self.folder / "out.mha"), found.labels)
-        np.testing.assert_array_equal(read(self.folder / "map.mha"), found.thickness)
+        thickness = read(self.folder / "map.mha")
+        np.testing.assert_array_equal(np.maximum(thickness, 0), found.thickness)
+        np.testing.assert_array_equal(thickness < 0, found.rims)
         for name, number in found.counts.items():
             self.assertEqual(report["counts"][name], number)
 
@@ -47,7 +53,7 @@ class Files(Folder):
         given = medialvoxel.extract(mask, spacing=0.5, max_thickness=8)
         self.assertEqual(given.max_thickness, 8)
         self.assertNotEqual(given.counts["medial_cells"], found.counts["medial_cells"])
-        self.assertIsNone(medialvoxel.extract(mask, 3).max_thickness)
+        self.assertIsNone(medialvoxel.extract(mask, thickness=3).max_thickness)
 
     def test_values_of_all_axes_are_z_first(self):
         raw = self.folder / "in.raw"
@@ -93,6 +99,42 @@ class Files(Folder):
         with self.assertRaisesRegex(medialvoxel.NotMeasuredError, "no verdict .* no object") as caught:
             medialvoxel.extract_file(self.input, self.folder / "out.mha", fail_if_thin=True, **{**options, "lower": 1e4})
         self.assertEqual(caught.exception.report["warnings"][0]["code"], "no_object")
+
+    def test_every_command_with_its_progress(self):
+        """What the program writes for the same arguments."""
+        mask = self.folder / "mask.mha"
+        write(mask, (scene() >= 40).astype("uint8"), (2.0, 1.0, 0.5))
+        for call, command, name in (
+            (medialvoxel.extract_file, "extract", "out.mha"),
+            (medialvoxel.mesh_file, "mesh", "out.ply"),
+            (medialvoxel.surface_file, "surface", "out.vtp"),
+            (medialvoxel.distance_file, "distance", "out.nrrd"),
+        ):
+            with self.subTest(command):
+                seen = []
+                report = call(mask, self.folder / name, progress=seen.append, threads=1)
+                self.assertEqual((seen, seen[-1]), (sorted(seen), 1.0))
+                self.assertGreater(len(seen), 1)
+                self.assertEqual(report["input"]["file"], str(mask))
+                written = (self.folder / name).read_bytes()
+                status, errors = run([command, mask, self.folder / name, "--overwrite", "--quiet"])
+                self.assertEqual((status, (self.folder / name).read_bytes()), (0, written), errors)
+                with self.assertRaisesRegex(KeyError, "enough"):
+                    call(mask, self.folder / f"stopped_{name}", progress=fail)
+                self.assertFalse((self.folder / f"stopped_{name}").exists())
+
+    def test_the_program_has_the_threads_that_the_process_may_use(self):
+        source = "import os; os.sched_setaffinity(0, list(os.sched_getaffinity(0))[:1]); import medialvoxel\n"
+        source += f"print(medialvoxel.extract_file({str(self.input)!r}, {str(self.folder / 'out.mha')!r}, lower=40)['threads'])"
+        done = subprocess.run([sys.executable, "-c", source], capture_output=True, text=True)
+        self.assertEqual(done.stdout, "1\n", done.stderr)
+
+    def test_info(self):
+        found = medialvoxel.info(self.input, values=True)
+        self.assertEqual((found["format"], found["size"], found["spacing"]), ("MetaImage", "34 x 30 x 22", "0.5 x 1 x 2"))
+        self.assertEqual(float(found["maximum"]), scene().astype("uint8").max())
+        with self.assertRaises(FileNotFoundError):
+            medialvoxel.info(self.folder / "absent.mha")
 
     def test_errors(self):
         out = self.folder / "out.mha"

@@ -46,7 +46,7 @@ class LocalThickness(unittest.TestCase):
                     array = arrange(values)
                     before = array.copy()
                     lower = None if dtype == "bool" else 40
-                    self.assert_same(medialvoxel.local_thickness(array, SPACING, lower, method="sphere"), expected)
+                    self.assert_same(medialvoxel.local_thickness(array, spacing=SPACING, lower=lower, method="sphere"), expected)
                     np.testing.assert_array_equal(array, before)
 
     def test_with_every_option(self):
@@ -63,7 +63,7 @@ class LocalThickness(unittest.TestCase):
         ]
         for keywords, mask, spacing, maximum in cases:
             with self.subTest(keywords):
-                found = medialvoxel.local_thickness(values, SPACING, method="sphere", **keywords)
+                found = medialvoxel.local_thickness(values, spacing=SPACING, method="sphere", **keywords)
                 self.assert_same(found, largest_balls(mask, spacing, maximum))
                 at_maximum = np.count_nonzero(found.thickness == np.float32(maximum))
                 self.assertEqual(found.counts["voxels_at_maximum"], at_maximum)
@@ -75,7 +75,7 @@ class LocalThickness(unittest.TestCase):
 
     def test_two_dimensions(self):
         mask = scene()[4] >= 40
-        self.assert_same(medialvoxel.local_thickness(mask, (1.0, 0.5), method="sphere"), largest_balls(mask, (1.0, 0.5), 32))
+        self.assert_same(medialvoxel.local_thickness(mask, spacing=(1.0, 0.5), method="sphere"), largest_balls(mask, (1.0, 0.5), 32))
 
     def test_nothing_but_object_and_nothing_at_all(self):
         full = medialvoxel.local_thickness(np.ones((5, 6, 7)), largest_ball=3, method="sphere")

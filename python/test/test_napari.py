@@ -66,10 +66,10 @@ class LayersTest(unittest.TestCase):
 
     def test_results_are_those_of_the_functions(self):
         medial, surface = layers.find_walls(plate(), (2.0, 1.0, 0.5), layers.Settings(lower=100, thickness=4))
-        expected = medialvoxel.extract(plate(), 4, (2.0, 1.0, 0.5), lower=100)
+        expected = medialvoxel.extract(plate(), thickness=4, spacing=(2.0, 1.0, 0.5), lower=100)
         np.testing.assert_array_equal(medial.labels, expected.labels)
         np.testing.assert_array_equal(medial.thickness, expected.thickness)
-        np.testing.assert_array_equal(surface.points, medialvoxel.mesh(plate(), 4, (2.0, 1.0, 0.5), lower=100).points)
+        np.testing.assert_array_equal(surface.points, medialvoxel.mesh(plate(), thickness=4, spacing=(2.0, 1.0, 0.5), lower=100).points)
 
     def test_results_lie_in_the_wall(self):
         """Whatever scale and place the layer has: world positions of the cells and points are those of the plate."""
@@ -137,12 +137,48 @@ class WidgetTest(unittest.TestCase):
         self.wait()
         self.assertEqual(self.names(), ["rolled sheet", *(f"rolled sheet {word}" for word in ("thickness", "medial cells", "walls"))])
         self.assertRegex(self.widget._status.value, r"^[\d,]+ medial cells; walls")
+        self.assertTrue(self.widget._status.native.wordWrap())
         surface = self.viewer.layers["rolled sheet walls"]
         self.assertEqual(surface.colormap.name, "viridis")
         self.assertEqual([layer.name for layer in self.widget._volumes()], ["rolled sheet"])
         self.widget.start()  # again: no second copies
         self.wait()
         self.assertEqual(len(self.viewer.layers), 4)
+
+    def test_walls_are_seen_at_once_in_three_dimensions(self):
+        ((values, options, _),) = samples.ribs()
+        self.viewer.add_image(values, **options)
+        other = self.viewer.add_image(values, name="other", **{key: value for key, value in options.items() if key != "name"})
+        visible = lambda: [layer.name for layer in self.viewer.layers if layer.visible]  # noqa: E731
+        self.widget._layer.value = self.viewer.layers["ribs"]
+        self.widget.start()
+        self.wait()
+        other.visible = False
+        self.assertEqual(visible(), ["ribs", "ribs medial cells", "ribs walls"])
+        self.viewer.dims.ndisplay = 3
+        self.assertEqual(visible(), ["ribs walls"])
+        self.widget.start()  # again, in 3-D
+        self.wait()
+        self.assertEqual(visible(), ["ribs walls"])
+        self.viewer.dims.ndisplay = 2
+        self.assertEqual(visible(), ["ribs", "ribs medial cells", "ribs walls"])
+
+    def test_otsu(self):
+        self.viewer.add_image(samples.ribs()[0][0], name="ribs")
+        self.widget._otsu.value = True
+        self.assertEqual((self.widget.settings().lower, self.widget._lower.enabled), ("otsu", False))
+        self.widget.start()
+        self.wait()
+        self.assertEqual(self.widget._lower.value, medialvoxel.extract(samples.ribs()[0][0], lower="otsu").lower)
+        self.widget._otsu.value = False
+        self.assertTrue(self.widget._lower.enabled)
+        self.assertEqual(self.widget.settings().lower, self.widget._lower.value)
+
+    def test_the_first_fixed_thickness_is_that_of_three_voxels(self):
+        for scale in (0.1, 2.5e-5, 40.0):
+            self.viewer.add_image(plate(), name=f"{scale}", scale=(4 * scale, scale, scale))
+            self.widget._layer.value = self.viewer.layers[f"{scale}"]
+            self.assertAlmostEqual(self.widget._thickness.value, 3 * scale, delta=0.01 * scale)
 
     @unittest.skipUnless(os.environ.get("MEDIALVOXEL_PICTURE"), "no picture is wanted")
     def test_picture(self):
@@ -153,8 +189,6 @@ class WidgetTest(unittest.TestCase):
         self.wait()
         self.viewer.window.resize(1280, 800)
         self.viewer.dims.ndisplay = 3
-        for name in ("ribs", "ribs medial cells"):
-            self.viewer.layers[name].visible = False
         self.viewer.reset_view()
         self.viewer.camera.angles = (12, 28, -120)
         self.viewer.camera.zoom *= 0.8
@@ -175,7 +209,7 @@ class WidgetTest(unittest.TestCase):
         self.assertEqual(self.widget.settings(), layers.Settings(thickness=4))
         self.widget.start()
         self.wait()
-        expected = medialvoxel.extract(plate(), 4)
+        expected = medialvoxel.extract(plate(), thickness=4)
         np.testing.assert_array_equal(self.viewer.layers["plate medial cells"].data, expected.labels)
         self.widget._mode.value = AUTOMATIC
         self.assertEqual(self.widget.settings().thickness, "auto")

@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every type and memory order of arrays gives the bytes that the program writes for a file of the same values."""
 
+import copy
 import json
+import pickle
 import unittest
 
 import medialvoxel
@@ -42,6 +44,17 @@ class Results(Folder):
         np.testing.assert_array_equal(found, expected)
         self.assertTrue(found.flags.owndata and found.flags.c_contiguous and found.flags.writeable)
 
+    def assert_same_thickness(self, found, expected):
+        """The file has both in one number: walls are greater than 0, rims are less."""
+        self.assert_same(found.thickness, np.maximum(expected, 0))
+        self.assert_same(found.rims, expected < 0)
+
+    def assert_same_sheet(self, found, expected):
+        labels, thickness, vectors = expected
+        self.assert_same(found.labels, labels)
+        self.assert_same_thickness(found, thickness)
+        self.assert_same(found.vectors, vectors)
+
     def program(self, command, values, *arguments):
         write(self.folder / "in.mha", values, SPACING)
         status, errors = run([command, self.folder / "in.mha", *arguments, "--overwrite", "--quiet"])
@@ -61,9 +74,7 @@ class Results(Folder):
                 with self.subTest(dtype=dtype, order=order):
                     array = arrange(values)
                     before = array.copy()
-                    found = medialvoxel.extract(array, spacing=SPACING, **keywords)
-                    for part, whole in zip((found.labels, found.thickness, found.vectors), expected):
-                        self.assert_same(part, whole)
+                    self.assert_same_sheet(medialvoxel.extract(array, spacing=SPACING, vectors=True, **keywords), expected)
                     np.testing.assert_array_equal(array, before)
 
     def test_extract_with_every_option(self):
@@ -74,9 +85,8 @@ class Results(Folder):
             for name, (keywords, options) in EXTRACTIONS.items():
                 with self.subTest(dtype=dtype, options=name):
                     self.program("extract", values, *files, *options)
-                    found = medialvoxel.extract(values, spacing=SPACING, threads=1, **keywords)
-                    for part, path in zip((found.labels, found.thickness, found.vectors), outputs):
-                        self.assert_same(part, read(path))
+                    found = medialvoxel.extract(values, spacing=SPACING, vectors=True, threads=1, **keywords)
+                    self.assert_same_sheet(found, map(read, outputs))
 
     def test_measures_on_gray_values(self):
         names = ("labels", "thickness", "uncertainty")
@@ -100,12 +110,12 @@ class Results(Folder):
                     for key, value in (found.measure["scan"] or {}).items():
                         self.assertEqual(value, written["scan"][key])
                     self.assert_same(found.labels, read(outputs[0]))
-                    self.assert_same(found.thickness, read(outputs[1]))
+                    self.assert_same_thickness(found, read(outputs[1]))
                     if is_uncertain:
                         self.assert_same(found.uncertainty, read(outputs[2]))
                         self.assertGreater(np.count_nonzero(found.uncertainty > 0), 1000)
                     else:
-                        self.assertIsNone(found.uncertainty)
+                        self.assertFalse(hasattr(found, "uncertainty"))
 
     def test_values_without_a_scan_are_measured_on_the_object(self):
         values = scene().astype("uint8")
@@ -120,7 +130,7 @@ class Results(Folder):
             self.program("distance", values.astype("float32") if dtype == "float16" else values, *files, "--lower=40")
             for order, arrange in ORDERS.items():
                 with self.subTest(dtype=dtype, order=order):
-                    found = medialvoxel.distance(arrange(values), spacing=SPACING, lower=40)
+                    found = medialvoxel.distance(arrange(values), spacing=SPACING, lower=40, vectors=True)
                     self.assert_same(found.vectors, read(files[0]))
                     self.assert_same(found.distance, read(self.folder / "distance.mha"))
 
@@ -132,9 +142,12 @@ class Results(Folder):
                 if "label" not in keywords:
                     keywords, options = {**keywords, "lower": 40}, [*options, "--lower=40"]
                 self.program("distance", scene().astype("uint8"), *files, *options)
-                found = medialvoxel.distance(scene().astype("uint8"), spacing=SPACING, **keywords)
+                found = medialvoxel.distance(scene().astype("uint8"), spacing=SPACING, vectors=True, **keywords)
                 self.assert_same(found.vectors, read(files[0]))
                 self.assert_same(found.distance, read(self.folder / "distance.mha"))
+                alone = medialvoxel.distance(scene().astype("uint8"), spacing=SPACING, **keywords)
+                self.assert_same(alone.distance, found.distance)
+                self.assertFalse(hasattr(alone, "vectors"))
 
     def assert_same_mesh(self, found, path):
         points, faces, thickness = read_ply(path)
@@ -193,7 +206,7 @@ class Results(Folder):
         self.program("extract", mask, *files, "--lower=1", "--sub-voxel")
         options = {"smooth": "off", "max_pore_size": 0}
         found = medialvoxel.extract(mask, spacing=SPACING, lower=1, sub_voxel=True, **options)
-        self.assert_same(found.thickness, read(self.folder / "thickness.mha"))
+        self.assert_same_thickness(found, read(self.folder / "thickness.mha"))
         for same in ({"lower": 1, "sub_voxel": False}, {"lower": 200}, {}):
             self.assert_same(medialvoxel.extract(mask, spacing=SPACING, **same, **options).thickness, found.thickness)
         local = medialvoxel.local_thickness(mask, spacing=SPACING, lower=1, sub_voxel=True)
@@ -209,11 +222,11 @@ class Results(Folder):
                 with self.subTest(dtype=dtype, labels=labels):
                     text = labels if labels == "all" else "70"
                     self.program("extract", cells.astype(dtype), *files, f"--labels={text}", "--thickness=3")
-                    found = medialvoxel.extract(cells.astype(dtype), 3, SPACING, labels=labels)
+                    found = medialvoxel.extract(cells.astype(dtype), thickness=3, spacing=SPACING, labels=labels, vectors=True)
                     self.assert_same(found.labels, read(files[0]))
                     self.assert_same(found.objects, read(self.folder / "objects.mha"))
                     self.assertEqual([row["label"] for row in found.object_counts], [70] if text == "70" else [3, 70])
-                    self.assertIsNone(found.vectors)
+                    self.assertFalse(hasattr(found, "vectors"))
 
     def test_two_dimensions(self):
         values = scene()[4].astype("uint8")
@@ -222,21 +235,20 @@ class Results(Folder):
         files = [outputs[0], f"--thickness-map={outputs[1]}", f"--vectors={outputs[2]}"]
         status, errors = run(["extract", self.folder / "in.mha", *files, "--lower=40", "--quiet"])
         self.assertEqual(status, 0, errors)
-        found = medialvoxel.extract(values, spacing=(1.0, 0.5), lower=40)
-        for part, path in zip((found.labels, found.thickness, found.vectors), outputs):
-            self.assert_same(part, read(path))
+        found = medialvoxel.extract(values, spacing=(1.0, 0.5), lower=40, vectors=True)
+        self.assert_same_sheet(found, map(read, outputs))
 
     def test_whole_numbers_of_64_bits_are_exact(self):
         values = np.full((6, 12, 12), 2**63, np.uint64)
         values[2:5, 2:10, 2:10] += np.uint64(1)
-        found = medialvoxel.extract(values, 3.0, lower=2**63 + 1)
+        found = medialvoxel.extract(values, thickness=3.0, lower=2**63 + 1)
         self.assertEqual(found.counts["object_voxels"], 3 * 8 * 8)
 
     def test_scalars_of_numpy(self):
         values = scene().astype("uint8")
-        plain = medialvoxel.extract(values, 3, lower=40, spacing=0.5)
+        plain = medialvoxel.extract(values, thickness=3, lower=40, spacing=0.5)
         for kind in (np.float32, np.float64, np.int32, np.uint8, np.array):
-            found = medialvoxel.extract(values, kind(3), lower=kind(40), spacing=np.float32([0.5] * 3))
+            found = medialvoxel.extract(values, thickness=kind(3), lower=kind(40), spacing=np.float32([0.5] * 3))
             np.testing.assert_array_equal(found.labels, plain.labels)
 
     def test_counts_are_those_of_the_arrays(self):
@@ -247,9 +259,27 @@ class Results(Folder):
         self.assertEqual((found.lower, found.smoothed, found.origin), (40.0, False, (0.5, 0.5, 0.5)))
 
     def test_outputs_that_are_not_wanted(self):
-        found = medialvoxel.extract(scene(), lower=40, thickness_map=False, vectors=False)
-        self.assertIsNone(found.thickness)
-        self.assertIsNone(found.vectors)
+        found = medialvoxel.extract(scene(), lower=40, thickness_map=False)
+        for name, keyword in (("thickness", "thickness_map=True"), ("rims", "thickness_map=True"), ("vectors", "vectors=True"),
+                              ("objects", "labels"), ("uncertainty", "uncertainty=True")):  # fmt: skip
+            with self.assertRaisesRegex(AttributeError, f"Medial has no {name}; ask for it by {keyword}"):
+                getattr(found, name)
+        with self.assertRaisesRegex(AttributeError, "Distances has no vectors; ask for it by vectors=True"):
+            medialvoxel.distance(scene(), lower=40).vectors  # noqa: B018
+        with self.assertRaisesRegex(AttributeError, "Medial has no thicknes$"):
+            found.thicknes  # noqa: B018
+
+    def test_results_are_copied_and_pickled(self):
+        found = medialvoxel.extract(scene(), lower=40)
+        for same in (copy.deepcopy(found), pickle.loads(pickle.dumps(found))):
+            np.testing.assert_array_equal(same.labels, found.labels)
+            self.assertFalse(hasattr(same, "vectors"))
+            self.assertEqual(repr(same), repr(found))
+
+    def test_all_but_the_array_is_a_keyword(self):
+        for call in (medialvoxel.extract, medialvoxel.mesh, medialvoxel.distance, medialvoxel.local_thickness):
+            with self.assertRaises(TypeError):
+                call(scene(), 0.5)
 
     def test_results_outlive_the_input(self):
         values = scene()

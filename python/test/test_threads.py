@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Other threads run while the engine works; progress, Ctrl-C and exceptions of the progress stop it soon."""
 
+import os
 import pathlib
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 import unittest
@@ -117,8 +119,31 @@ class Threads(unittest.TestCase):
 
     def test_progress_of_long_work(self):
         seen = []
-        medialvoxel.extract(blob(), 3.0, progress=seen.append, threads=1)
+        medialvoxel.extract(blob(), thickness=3.0, progress=seen.append, threads=1)
         self.assertGreater(len(set(seen)), 3)
+
+    def test_threads_are_those_that_the_process_may_use(self):
+        """In a process of its own, whose affinity is one processor; beside the work there is the thread that watches it."""
+        source = (
+            "import os, sys; sys.path.insert(0, {tests!r}); os.sched_setaffinity(0, list(os.sched_getaffinity(0))[:1])\n"
+            "import medialvoxel, support\n"
+            "begin, most = len(os.listdir('/proc/self/task')), []\n"
+            "medialvoxel.extract(support.blob(), threads={threads}, progress=lambda _: most.append(len(os.listdir('/proc/self/task'))))\n"
+            "print(max(most) - begin)\n"
+        )
+        for threads, expected in ((None, 1), (3, 3)):
+            text = source.format(tests=str(pathlib.Path(__file__).parent), threads=threads)
+            done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True)
+            self.assertEqual((done.stdout, done.returncode), (f"{expected}\n", 0), done.stderr)
+
+    def test_a_quota_of_processors(self):
+        every = len(os.sched_getaffinity(0))
+        with tempfile.TemporaryDirectory() as folder:
+            quota = pathlib.Path(folder, "cpu.max")
+            for text, expected in (("max 100000", every), ("50000 100000", 1), ("100001 100000", min(2, every)), ("900000 1000", every)):
+                quota.write_text(text + "\n")
+                self.assertEqual(medialvoxel._threads.count_processors(quota), expected, text)
+            self.assertEqual(medialvoxel._threads.count_processors(pathlib.Path(folder, "none")), every)
 
     def test_an_exception_of_the_progress(self):
         begin = time.monotonic()
@@ -128,11 +153,11 @@ class Threads(unittest.TestCase):
         self.assertEqual(medialvoxel.extract(scene(), lower=40).labels.shape, scene().shape)
 
     def test_several_calls_at_once(self):
-        expected = medialvoxel.extract(scene(), lower=40)
+        expected = medialvoxel.extract(scene(), lower=40, vectors=True)
         found = [None] * 6
 
         def work(i):
-            found[i] = medialvoxel.extract(scene(), lower=40)
+            found[i] = medialvoxel.extract(scene(), lower=40, vectors=True)
 
         threads = [threading.Thread(target=work, args=(i,)) for i in range(len(found))]
         for thread in threads:
