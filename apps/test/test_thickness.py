@@ -5,6 +5,7 @@
 import csv
 import json
 import math
+import re
 import unittest
 
 import volumes
@@ -146,7 +147,11 @@ class ThicknessTest(ProgramTestCase):
         volume.voxels = [1 if 8 <= x < 11 or 34 <= x < 44 and y > 5 else 0 for x, y, z in volume.indices()]
         volumes.write_meta(self.folder / "walls.mha", volume)
         self.map("--preview", "p.png", "--html", "r.html", source="walls.mha", thickness=5)
-        self.assertEqual((self.folder / "r.html").read_text().count("data:image/png;base64,"), 2)
+        page = (self.folder / "r.html").read_text()
+        self.assertEqual(page.count("data:image/png;base64,"), 1)
+        low, high = map(float, re.search(r"The colors span ([\d.]+) to ([\d.]+), in", page).groups())
+        self.assertLess(low, 4)
+        self.assertGreater(high, 9)
         rows = read_png(self.folder / "p.png")
         below = rows[len(rows) // 2 :]
         beside = [row[len(row) // 2 :] for row in rows]
@@ -166,6 +171,7 @@ class ThicknessTest(ProgramTestCase):
         self.extract("in.mha", "l.mha", "--html", "r.html")
         text = (self.folder / "r.html").read_text()
         self.assertEqual(text.count("data:image/png;base64,"), 1)
+        self.assertNotIn("The colors span", text)
         self.assertIn("area of the sheet", text)
 
     def test_of_large_volumes_a_sample_counts(self):

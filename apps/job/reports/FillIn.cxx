@@ -50,6 +50,14 @@ FormatLength(const Json & value)
   return value.is_number() ? FormatShort(value.get<double>()) : "-";
 }
 
+/** A share of 1, or of a second value. */
+std::string
+FormatShareOf(const Values & values)
+{
+  const double all = values.size() > 1 ? GetNumber(*values[1]) : 1.0;
+  return all > 0.0 ? FormatFixed(100.0 * GetNumber(*values.front()) / all, 2) + " %" : "-";
+}
+
 /** The largest of them. */
 std::string
 FormatLargest(const Values & values)
@@ -115,11 +123,12 @@ struct Format
   std::string (*make)(const Values &);
 };
 
-const std::array<Format, 17> Formats{ {
+const std::array<Format, 18> Formats{ {
   { "", [](const Values & values) { return FormatPlain(*values.front()); } },
   { "short", FormatLargest },
+  { "rough", [](const Values & values) { return FormatShort(GetNumber(*values.front()), 3); } },
   { "fixed", [](const Values & values) { return FormatFixed(GetNumber(*values.front()), 2); } },
-  { "percent", [](const Values & values) { return FormatFixed(100.0 * GetNumber(*values.front()), 2) + " %"; } },
+  { "percent", FormatShareOf },
   { "share", FormatShare },
   { "count", FormatCount },
   { "size", [](const Values & values) { return std::to_string(values.front()->size()); } },
