@@ -183,16 +183,20 @@ class ThicknessTest(ProgramTestCase):
         volumes.write_raw(self.folder / "large.raw", volume)
         cells = 255 * 131
         found = []
-        for arguments in ([], ["--thickness-csv", "h.csv"], ["--thickness-map", "t.nrrd", "--thin-below", 2]):
+        for arguments in (
+            [], ["--thickness-csv", "h.csv"], ["--thickness-map", "t.nrrd", "--thin-below", 2], ["--html", "r.html", "--thin-below", 4],
+        ):  # fmt: skip
             options = [*arguments, "--report", "r.json", "--overwrite", *volumes.raw_options(volume)]
             table = self.extract("large.raw", "l.mha", *options).stdout
             self.assertRegex(table, r"sample +one medial cell in 2, standard error of the mean 0\n")
             found.append(json.loads((self.folder / "r.json").read_text())["thickness"])
         told = found[0]
-        self.assertEqual(found, [told] * 3)
+        self.assertEqual(found, [told] * 4)
         self.assertEqual((told["one_cell_of"], told["standard_error"]), (2, 0))
         self.assertAlmostEqual(told["cells"], cells / 2, delta=0.02 * cells)
         self.assertEqual((told["mean"], told["minimum"], told["maximum"]), (3, None, None))
+        share = re.search("<h1>.* 1 place below 4, ([0-9.]+) % of the area</h1>", (self.folder / "r.html").read_text())[1]
+        self.assertAlmostEqual(float(share), 100, delta=2, msg="places are of all cells")
 
     def test_nothing_to_measure(self):
         values = self.map("--lower", 5, "--thickness-csv", "h.csv", "--preview", "p.png", "--html", "r.html")

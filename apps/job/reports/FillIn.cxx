@@ -50,11 +50,13 @@ FormatLength(const Json & value)
   return value.is_number() ? FormatShort(value.get<double>()) : "-";
 }
 
-/** A share of 1, or of a second value. */
+/** A share of 1, or of the product of further values. */
 std::string
 FormatShareOf(const Values & values)
 {
-  const double all = values.size() > 1 ? GetNumber(*values[1]) : 1.0;
+  const double all = std::accumulate(values.begin() + 1, values.end(), 1.0, [](double product, const Json * value) {
+    return product * GetNumber(*value);
+  });
   return all > 0.0 ? FormatFixed(100.0 * GetNumber(*values.front()) / all, 2) + " %" : "-";
 }
 
