@@ -33,6 +33,8 @@ TEST(FillIn, ValuesInFormats)
   EXPECT_EQ(Fill("{count} of {all}"), "3 of 4");
   EXPECT_EQ(Fill("{length} {short length} {fixed length} {percent length}"), "0.123456 0.1235 0.12 12.35 %");
   EXPECT_EQ(Fill("{short count length all}"), "4");
+  EXPECT_EQ(Fill("{percent count all} {percent count all all} {percent count zero} {rough length} {rough count}"),
+            "75.00 % 18.75 % - 0.123 3");
   EXPECT_EQ(Fill("{count count all} {share count all}"), "3 (75.00 %) 75.00 %");
   EXPECT_EQ(Fill("{count count zero zero} {share zero zero}"), "3 -");
   EXPECT_EQ(Fill("{size size}: {times size}, {list size}"), "3: 7 x 8 x 9, 7, 8, 9");

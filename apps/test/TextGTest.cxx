@@ -8,6 +8,17 @@
 
 using namespace medialvoxel;
 
+TEST(Text, ShortNumbersHaveNoExponentUpToABillion)
+{
+  EXPECT_EQ(FormatShort(0.123456), "0.1235");
+  EXPECT_EQ(FormatShort(9999.4), "9999");
+  EXPECT_EQ(FormatShort(9999.6), "10000");
+  EXPECT_EQ(FormatShort(-85273.4), "-85273");
+  EXPECT_EQ(FormatShort(2e9), "2e+09");
+  EXPECT_EQ(FormatShort(26.6094, 3), "26.6");
+  EXPECT_EQ(FormatShort(1234.5, 3), "1234");
+}
+
 TEST(Text, NumbersAreTheWholeText)
 {
   EXPECT_EQ(ParseDouble("72.5"), 72.5);

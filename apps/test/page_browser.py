@@ -38,6 +38,12 @@ class PageBrowser:
         self.driver.set_script_timeout(SECONDS)
         self.driver.get(path.as_uri())
 
+    def set_size(self, width, height):
+        """Of the page; below 700 pixels of width as on a phone."""
+        metrics = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 700}
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
+        self.wait_for_frames()
+
     def close(self):
         self.driver.quit()
 

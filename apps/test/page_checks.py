@@ -2,8 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a browser shows of the page. test_page_view runs these tests with a Python that has Selenium."""
 
+import json
 import unittest
 
+import numpy
+import volumes
 from page_browser import PageBrowser
 from test_page_view import PageCase
 
@@ -21,6 +24,10 @@ class BrowserTest(PageCase):
         browser.wait("arrived", "-1")
         return browser
 
+    def report(self, *arguments):
+        self.page(*arguments, "--report", "r.json")
+        return (self.folder / "r.json").read_text()
+
     def assert_quiet(self, browser):
         """No message, and nothing asked for but the page."""
         self.assertEqual(browser.messages(), [])
@@ -36,7 +43,7 @@ class BrowserTest(PageCase):
         texts = [element.text for element in browser.find("#view-ticks span")]
         self.assertLessEqual({"x", "y", "z"}, set(texts))
         self.assertGreater(sum(text.isdigit() for text in texts), 5)
-        self.assertIn("thickness", browser.find("#view-legend")[0].text)
+        self.assertIn("Thickness", browser.find("#view-legend")[0].text)
         self.assert_quiet(browser)
 
     def test_keys(self):
@@ -104,14 +111,108 @@ class BrowserTest(PageCase):
         self.assertIn("minimum", browser.find("#view-status")[0].text)
         browser.driver.execute_script("document.getElementById('view').scrollIntoView()")
         pixels = browser.pixels()
-        red = (pixels[:, :, 0] > 180) & (pixels[:, :, 1:].max(axis=2) < 70)
-        self.assertGreater(red.sum(), 50, "marks")
+        self.assertGreater((pixels.max(axis=2) < 45).sum(), 50, "marks")
         self.assertEqual([mark.text for mark in browser.find("#view-ticks .mark")], [row.get_attribute("data-length")])
         # A row is reached and chosen by keys alone.
         browser.driver.execute_script("document.querySelector('tr.place button').focus()")
         browser.press_anywhere("\ue007")
         browser.wait("arrived", "0")
         self.assert_quiet(browser)
+
+    def test_keys_work_after_a_click_on_a_row(self):
+        browser = self.show("--thin-below", 6)
+        browser.find("tr.place")[0].click()
+        browser.wait("arrived", "0")
+        browser.press_anywhere("x")
+        browser.wait_for_frames()
+        self.assertNotEqual(browser.state()["cut"], "")
+        browser.press_anywhere("\ue00c")  # Escape
+        browser.wait("arrived", "-1")
+
+    @staticmethod
+    def share_of(pixels, color):
+        """Of pixels with the hue of a color, in any light."""
+        shades = pixels / numpy.maximum(pixels.max(axis=2, keepdims=True), 1)
+        return float((abs(shades - numpy.array(color) / max(color)).max(axis=2) < 0.03).mean())
+
+    def test_colors_tell_the_limits(self):
+        """Walls below are vermilion, others green, and in the scale there is neither."""
+        below, within, above = (213, 94, 0), (0, 158, 115), (0, 114, 178)
+        lengths = json.loads(self.report("--lower", 72))["thickness"]
+        limit = lengths["percentiles"]["50"] + 0.01
+        for option, outside, other in (("--thin-below", below, above), ("--thick-above", above, below)):
+            browser = self.show(option, limit)
+            pixels = browser.pixels()
+            self.assertGreater(self.share_of(pixels, outside), 0.01, option)
+            self.assertGreater(self.share_of(pixels, within), 0.001, option)
+            self.assertLess(self.share_of(pixels, other), 0.001, option)
+            self.assertIn(f"{limit:.4g}", browser.find("#view-legend")[0].text)
+            browser.driver.execute_script(
+                "const choice = document.getElementById('view-color'); choice.value = '';"
+                "choice.dispatchEvent(new Event('change'))"
+            )
+            browser.wait_for_frames()
+            self.assertLess(self.share_of(browser.pixels(), outside), 0.005, option)
+            browser.close()
+
+    def test_rims_have_the_thickness_of_the_nearest_wall(self):
+        browser = self.show()
+        known, lengths = browser.driver.execute_script(
+            "const text = (name) => document.getElementById(name).textContent;"
+            "const sheet = MedialVoxelSheet.build(JSON.parse(text('view-data')), text('view-points'));"
+            "return [[...sheet.isKnown], [...sheet.thickness]]"
+        )
+        rims = [length for is_known, length in zip(known, lengths) if is_known == 0]
+        walls = [length for is_known, length in zip(known, lengths) if is_known == 1]
+        self.assertEqual(len(rims) + len(walls), len(known), "every rim has a wall")
+        self.assertGreater(len(rims), 20)
+        self.assertGreaterEqual(min(rims), min(walls))
+        self.assertLessEqual(max(rims), max(walls))
+
+    def test_the_largest_piece_comes_first(self):
+        volume = volumes.Volume((60, 50, 40), [])
+        volume.voxels = [
+            100 if (5 <= x < 40 and 5 <= y < 45 and 5 <= z < 10) or (50 <= x < 58 and 20 <= y < 36 and 30 <= z < 35) else 0
+            for x, y, z in volume.indices()
+        ]
+        volumes.write_meta(self.folder / "in.mha", volume)
+        browser = self.show()
+        others = float(browser.state()["others"])
+        self.assertGreater(others, 0.02)
+        self.assertLess(others, 0.2)
+        near = self.distance(browser)
+        self.assertIn(f"{100 * others:.1f} %", browser.find("#view-pieces-label")[0].text)
+        browser.find("#view-pieces")[0].click()
+        browser.wait("arrived", "-1")
+        self.assertGreater(self.distance(browser), 1.1 * near)
+
+    def test_screens_of_any_width(self):
+        browser = self.show("--thin-below", 6, "--thick-above", 20)
+        for width in (1400, 400):
+            browser.set_size(width, 900)
+            box = lambda name: browser.find(name)[0].rect  # noqa: E731
+            self.assertLessEqual(
+                browser.driver.execute_script("return document.documentElement.scrollWidth"), width, "no wider than the screen"
+            )
+            stage, legend = box("#view-stage"), box("#view-legend")
+            self.assertGreaterEqual(legend["y"], stage["y"] + stage["height"], "the legend is below")
+            parts = [part.rect for part in browser.find("#view-legend > *")]
+            for first, second in zip(parts, parts[1:]):
+                self.assertTrue(second["y"] > first["y"] + 5 or second["x"] >= first["x"] + first["width"], "they do not touch")
+            self.assertLess(box("h1")["y"], 40)
+            self.assertLess(box("tr.place")["y"], 700, "places are on the first screen")
+            is_beside = box(".places")["x"] + box(".places")["width"] <= stage["x"]
+            self.assertEqual(is_beside, width == 1400)
+            sheet = browser.pixels()
+            colored = numpy.argwhere(sheet.max(axis=2) - sheet.min(axis=2) > 60)
+            extent = (colored.max(axis=0) - colored.min(axis=0)) / sheet.shape[:2]
+            self.assertGreater(extent.max(), 0.5, "the sheet fills the view")
+        self.assert_quiet(browser)
+
+    def test_a_fixed_scale(self):
+        browser = self.show("--color-range", "0,40")
+        ticks = [tick.text for tick in browser.find("#view-legend .tick")]
+        self.assertEqual(ticks, ["0", "10", "20", "30", "40"])
 
     def test_cut_takes_a_side_away(self):
         browser = self.show()

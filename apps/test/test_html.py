@@ -4,6 +4,7 @@
 
 import base64
 import html.parser
+import json
 import re
 import shutil
 import subprocess
@@ -69,8 +70,8 @@ class HtmlTest(ProgramTestCase):
         text = self.page("--lower", 72, "--preview", "p.png")
         page = Page(text)
         for words in (
-            "Medial voxels of in.mha",
-            "Thickness of the walls",
+            "Walls of in.mha",
+            "Thickness by area",
             "geodesic search: not medial",
             "ITK",
             "Michikawa and H. Suzuki",
@@ -93,6 +94,41 @@ class HtmlTest(ProgramTestCase):
         self.assertRegex(RUN.search(text)[0], r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d")
         self.assertIn("in units of the spacing", words)
         self.assertNotIn("minimum thickness", Page(self.page("--lower", 72)).words)
+
+    def headline(self, *arguments, source="in.mha"):
+        return re.search("<h1>(.*)</h1>", self.page(*arguments, "--report", "r.json", source=source))[1]
+
+    def test_the_first_line_is_the_result(self):
+        """Against the report."""
+        found = self.headline("--lower", 72, "--thin-below", 6, "--thick-above", 50)
+        report = json.loads((self.folder / "r.json").read_text())
+        walls, thin = report["thickness"], report["places"]["thin"]
+        share = 100 * thin["area_beyond_limit"] / walls["area"]
+        self.assertGreater(thin["number"], 0)
+        self.assertEqual(
+            found,
+            f"in.mha: walls {walls['minimum']:.3g} to {walls['maximum']:.3g}, median {walls['percentiles']['50']:.3g}; "
+            f"{thin['number']} place{'s' * (thin['number'] > 1)} below 6, {share:.2f} % of the area; no place above 50",
+        )
+        self.assertIn(" voxels, median", self.headline("--lower", 72, "--voxel-units"))
+
+    def test_the_first_line_tells_what_is_missing(self):
+        self.assertEqual(self.headline("--lower", 30000), "in.mha: no object, as no voxel passes the threshold")
+        ball = volumes.Volume((16, 16, 16), [])
+        ball.voxels = [1 if sum((i - 7.5) ** 2 for i in index) < 25 else 0 for index in ball.indices()]
+        volumes.write_meta(self.folder / "ball.mha", ball)
+        self.assertEqual(self.headline(source="ball.mha"), "ball.mha: a sheet, but no wall could be measured")
+        self.extract("ball.mha", "o.mha", "--html", "b.html", thickness=12)
+        self.assertIn("<h1>ball.mha: no sheet, as the object has no walls</h1>", (self.folder / "b.html").read_text())
+
+    def test_the_result_comes_before_all_else(self):
+        page = self.page("--lower", 72, "--thin-below", 6)
+        order = ["<h1>", "below 6</h2>", 'class="place"', "Thickness by area</h2>", "geodesic search: medial"]
+        self.assertEqual(order, sorted(order, key=page.index))
+        self.assertLess(page.index("geodesic"), page.index('<section id="run">'))
+        shown = re.sub("<(script|details).*?</(script|details)>", "", page, flags=re.DOTALL)
+        self.assertNotIn("geodesic", shown)
+        self.assertNotRegex(page.split("<script")[0], r"\de\+\d")
 
     def test_needs_nothing_from_elsewhere(self):
         text = self.page("--lower", 72)

@@ -28,7 +28,7 @@ NEEDS_OF_EXTRACT = {
     "--largest-ball": ["--local-thickness=t.mha"], "--local-thickness-method": ["--local-thickness=t.mha"],
     "--element-size": ["--mesh=m.inp"], "--section-width": ["--mesh=m.inp"], "--vector-boundary": ["--vectors=v.mha"],
     "--zarr-compression": ["--thickness-map=t.zarr"], "--extend-rims": ["--mesh=m.inp"],
-    "--min-component-size": ["--mesh=m.inp"],
+    "--min-component-size": ["--mesh=m.inp"], "--color-range": ["--html=p.html"],
 }  # fmt: skip
 FLAG_WORDS = ["true", "ON", "Yes", "1", "false", "off", "NO", "0"]
 ODD_FLAGS = [
@@ -43,7 +43,7 @@ ODD = [
 TAKEN = {
     "--lower": {"inf", "-1", "9" * 40}, "--upper": {"inf", "-1", "9" * 40}, "--label": {"-1"}, "--max-distance": {"inf", "9" * 40},
     "--labels": {value for value in ODD if value.strip() and "," not in value and value != "9" * 40 and value[0] != "-"} | {"-1"},
-    "--clusters": {"0,5"}, "--materials": {"0,5"},
+    "--clusters": {"0,5"}, "--materials": {"0,5"}, "--color-range": {"0,5"},
 }  # fmt: skip
 
 

@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Places with too thin or too thick walls: the same as by a flood fill over the thickness map, for any division."""
 
+import base64
 import itertools
 import json
 import math
 import pathlib
 import random
+import re
 import shutil
 import subprocess
 import unittest
@@ -15,6 +17,7 @@ import jobs
 import volumes
 from places import find_places, read_places
 from program import PROGRAM, USAGE, ProgramTestCase
+from test_preview import read_png
 
 TOO_THIN = 5
 NOT_MEASURED = 6
@@ -306,10 +309,38 @@ class PlacesTest(ProgramTestCase):
         volumes.write_meta(self.folder / "in.mha", random_part(1))
         rows = self.places("--thin-below", 2.2, "--html", "h.html")
         page = (self.folder / "h.html").read_text()
-        self.assertIn("<h2>Places that are too thin</h2>", page)
-        self.assertNotIn("too thick", page)
+        self.assertIn("places below 2.2</h2>", page)
+        self.assertNotRegex(page.split("<script")[0], "places? above")
+        self.assertEqual(page.count('<svg class="section"'), min(len(rows), 20))
         for row in rows[:20]:
             self.assertIn(f">{row['index_x']}, {row['index_y']}, {row['index_z']}<", page)
+
+    def test_sections_show_the_wall_between_its_marks(self):
+        """A plate of 9 voxels, 5 in its middle, turned in space: a wall in the picture, with the marks in its ends."""
+        volume = volumes.Volume((40, 36, 32), [], (0.5, 0.5, 0.5))
+        volume.voxels = [
+            100 if abs(x - 18) <= (2 if 12 <= y < 24 and 10 <= z < 22 else 4) and 4 <= y < 32 and 4 <= z < 28 else 10
+            for x, y, z in volume.indices()
+        ]
+        volumes.write_meta(self.folder / "in.mha", volume, TransformMatrix="0 1 0 0 0 1 1 0 0", Offset="7 8 9")
+        pages = []
+        for options in (["--threads", 1], ["--divisions", 5]):
+            rows = self.places("--lower", 50, "--thin-below", 3, "--html", "h.html", *options, thickness="auto")
+            pages.append(re.findall('<svg class="section".*?</svg>.*?wide', (self.folder / "h.html").read_text()))
+        self.assertEqual(*pages)
+        section = pages[0][0]
+        (self.folder / "s.png").write_bytes(base64.b64decode(re.search("base64,([^\"]*)", section)[1]))
+        picture = read_png(self.folder / "s.png")
+        step = float(re.search(r"([\d.]+) wide", section)[1]) / len(picture)
+        middle = [color[0] for color in picture[len(picture) // 2]]
+        wall = [column for column, shade in enumerate(middle) if shade > 127]
+        self.assertEqual((min(middle), max(middle)), (0, 255))
+        self.assertEqual(wall, list(range(wall[0], wall[-1] + 1)), "one wall")
+        marks = [float(number) for number in re.findall(r'x[12]="([\d.]+)"', section)]
+        sides = [[rows[0][f"side_{side}_{axis}"] for axis in AXES] for side in "ab"]
+        self.assertAlmostEqual((marks[1] - marks[0]) * step, math.dist(*sides), delta=0.02)
+        for mark, end in zip(marks, (wall[0], wall[-1] + 1)):
+            self.assertAlmostEqual(mark * step, end * step, delta=0.3, msg="half a voxel, as they are in voxels beside the wall")
 
     def test_wrong_values_are_refused(self):
         volumes.write_meta(self.folder / "in.mha", volumes.box_with_plate())
@@ -351,7 +382,7 @@ class PlacesTest(ProgramTestCase):
 class PlacesOfJobsTest(jobs.JobTestCase):
     def test_clusters_find_the_same_places(self):
         for number, seed in enumerate((10, 11)):
-            volumes.write_meta(self.folder / "in.mha", random_part(seed))
+            volumes.write_meta(self.folder / "in.mha", random_part(seed), compressed=number == 1)
             options = "--thickness 3 --thin-below 2.2 --thick-above 2.6 --min-place-area 0 --places p.csv".split()
             options += ["--report", "r.json", "--html", "h.html"]
             expected = self.expect("extract", "../in.mha", "out.mha", *options)
@@ -364,6 +395,7 @@ class PlacesOfJobsTest(jobs.JobTestCase):
                 found = jobs.results(self.target)
                 self.assertEqual(found["p.csv"], expected["p.csv"])
                 self.assertEqual(found["r.json"]["places"], expected["r.json"]["places"])
+                self.assertTrue(found["h.html"] == expected["h.html"], "sections are those of one run")
                 self.clear_target()
             shutil.rmtree(self.folder / "expected")
 

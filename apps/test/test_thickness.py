@@ -5,6 +5,7 @@
 import csv
 import json
 import math
+import re
 import unittest
 
 import volumes
@@ -146,7 +147,11 @@ class ThicknessTest(ProgramTestCase):
         volume.voxels = [1 if 8 <= x < 11 or 34 <= x < 44 and y > 5 else 0 for x, y, z in volume.indices()]
         volumes.write_meta(self.folder / "walls.mha", volume)
         self.map("--preview", "p.png", "--html", "r.html", source="walls.mha", thickness=5)
-        self.assertEqual((self.folder / "r.html").read_text().count("data:image/png;base64,"), 2)
+        page = (self.folder / "r.html").read_text()
+        self.assertEqual(page.count("data:image/png;base64,"), 1)
+        low, high = map(float, re.search(r"The colors span ([\d.]+) to ([\d.]+), in", page).groups())
+        self.assertLess(low, 4)
+        self.assertGreater(high, 9)
         rows = read_png(self.folder / "p.png")
         below = rows[len(rows) // 2 :]
         beside = [row[len(row) // 2 :] for row in rows]
@@ -166,6 +171,7 @@ class ThicknessTest(ProgramTestCase):
         self.extract("in.mha", "l.mha", "--html", "r.html")
         text = (self.folder / "r.html").read_text()
         self.assertEqual(text.count("data:image/png;base64,"), 1)
+        self.assertNotIn("The colors span", text)
         self.assertIn("area of the sheet", text)
 
     def test_of_large_volumes_a_sample_counts(self):
@@ -177,16 +183,20 @@ class ThicknessTest(ProgramTestCase):
         volumes.write_raw(self.folder / "large.raw", volume)
         cells = 255 * 131
         found = []
-        for arguments in ([], ["--thickness-csv", "h.csv"], ["--thickness-map", "t.nrrd", "--thin-below", 2]):
+        for arguments in (
+            [], ["--thickness-csv", "h.csv"], ["--thickness-map", "t.nrrd", "--thin-below", 2], ["--html", "r.html", "--thin-below", 4],
+        ):  # fmt: skip
             options = [*arguments, "--report", "r.json", "--overwrite", *volumes.raw_options(volume)]
             table = self.extract("large.raw", "l.mha", *options).stdout
             self.assertRegex(table, r"sample +one medial cell in 2, standard error of the mean 0\n")
             found.append(json.loads((self.folder / "r.json").read_text())["thickness"])
         told = found[0]
-        self.assertEqual(found, [told] * 3)
+        self.assertEqual(found, [told] * 4)
         self.assertEqual((told["one_cell_of"], told["standard_error"]), (2, 0))
         self.assertAlmostEqual(told["cells"], cells / 2, delta=0.02 * cells)
         self.assertEqual((told["mean"], told["minimum"], told["maximum"]), (3, None, None))
+        share = re.search("<h1>.* 1 place below 4, ([0-9.]+) % of the area</h1>", (self.folder / "r.html").read_text())[1]
+        self.assertAlmostEqual(float(share), 100, delta=2, msg="places are of all cells")
 
     def test_nothing_to_measure(self):
         values = self.map("--lower", 5, "--thickness-csv", "h.csv", "--preview", "p.png", "--html", "r.html")

@@ -57,10 +57,17 @@ FormatSeconds(double seconds)
 }
 
 std::string
-FormatShort(double value)
+FormatShort(double value, int digits)
 {
+  constexpr double mostInFull = 1e9;
+  const double     size = std::fabs(value);
+  const bool       isInFull = size < mostInFull && size >= std::pow(10.0, digits) - 0.5;
+  if (isInFull)
+  {
+    return FormatFixed(value, 0);
+  }
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", value);
+  std::snprintf(text.data(), text.size(), "%.*g", digits, value);
   return text.data();
 }
 

@@ -40,9 +40,9 @@ FormatBytes(std::uint64_t numberOfBytes);
 std::string
 FormatSeconds(double seconds);
 
-/** Four significant digits at most. */
+/** So many significant digits at most, and all of those before the point up to 10^9. */
 std::string
-FormatShort(double value);
+FormatShort(double value, int digits = 4);
 
 /** As many decimals as wanted. */
 std::string

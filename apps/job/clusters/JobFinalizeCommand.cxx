@@ -11,6 +11,7 @@
 #include "SharedJob.h"
 #include "SharedOutputs.h"
 #include "StopListener.h"
+#include "UnpackedVolume.h"
 #include "Warnings.h"
 
 #include <algorithm>
@@ -107,6 +108,7 @@ public:
       this->VerifyVolumes();
     }
     this->MergeClusters();
+    this->OpenInput();
     JobEnd end;
     end.recordCosts = [this, start] { m_Job.result.seconds.total += SecondsSince(start); };
     end.publish = [this] { this->Publish(); };
@@ -204,6 +206,17 @@ private:
     }
     this->RefuseDamaged(damaged);
     CheckCounts(m_Job.result.sums.counts);
+  }
+
+  /** Unpacks a compressed volume again for the sections of a page. */
+  void
+  OpenInput()
+  {
+    const ExtractOptions & options = m_Shared.manifest.options;
+    if (!options.htmlFile.empty() && ListsPlaces(options))
+    {
+      m_Job.result.input = UnpackVolume(m_Job.result.input, options.scratchFolder, m_Sink);
+    }
   }
 
   /** Lets damaged clusters be done again. */

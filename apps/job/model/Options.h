@@ -95,6 +95,13 @@ constexpr std::uint64_t LargestPoreSize = itk::MedialVoxelParameters::LargestMax
 using Smoothing = itk::MedialVoxelSmoothing;
 using LocalThicknessMethod = itk::MedialVoxelLocalThicknessMethod;
 
+/** Lengths that colors span. */
+struct ColorRange
+{
+  double low;
+  double high; ///< greater than low
+};
+
 /** How long the sides of the faces of a mesh are. */
 struct ElementSize
 {
@@ -167,6 +174,8 @@ struct ExtractOptions : JobOptions
   bool                  extendsRims{ false }; ///< of the mesh, to the free edges; not with ElementSize::Kind::Voxel
   ThicknessPlace        thicknessPlace{ ThicknessPlace::Sections }; ///< of a mesh for solvers
   std::optional<double> sectionWidth; ///< as MeshWriteOptions; unset: a quarter of the spacing
+
+  std::optional<ColorRange> colorRange; ///< of page and picture; unset: as measured
 };
 
 /** Vector and signed distances. */

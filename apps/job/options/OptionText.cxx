@@ -190,6 +190,22 @@ ToLevels(const std::string & text)
   return { ToFinite(values[0]), ToFinite(values[1]) };
 }
 
+ColorRange
+ToColorRange(const std::string & text)
+{
+  const std::vector<std::string> values = SplitAtCommas(text);
+  if (values.size() != 2)
+  {
+    Refuse(text, "is not two lengths with a comma");
+  }
+  const ColorRange range{ ToFinite(values[0]), ToFinite(values[1]) };
+  if (range.low < 0.0 || range.high <= range.low)
+  {
+    Refuse(text, "is not a length from 0 on and a greater one");
+  }
+  return range;
+}
+
 PlaceLimits
 ToPlaceLimits(const std::string & text, PlaceKind kind)
 {
@@ -260,6 +276,12 @@ std::string
 FormatLevels(const itk::MedialVoxelScanLevels & levels)
 {
   return FormatNumbers({ levels.background, levels.material }, ",");
+}
+
+std::string
+FormatColorRange(const ColorRange & range)
+{
+  return FormatNumbers({ range.low, range.high }, ",");
 }
 
 std::string

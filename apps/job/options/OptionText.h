@@ -56,6 +56,8 @@ ElementSize
 ToElementSize(const std::string & text);
 itk::MedialVoxelScanLevels
 ToLevels(const std::string & text);
+ColorRange
+ToColorRange(const std::string & text);
 
 /** A limit on the thickness of walls, and perhaps the one that places grow to. */
 PlaceLimits
@@ -70,6 +72,8 @@ std::string
 FormatElementSize(const ElementSize & size);
 std::string
 FormatLevels(const itk::MedialVoxelScanLevels & levels);
+std::string
+FormatColorRange(const ColorRange & range);
 std::string
 FormatPlaceLimits(const PlaceLimits & limits);
 

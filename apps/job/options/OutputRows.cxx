@@ -28,6 +28,12 @@ SeparatesObjects(const ExtractOptions & options)
 }
 
 bool
+HasColors(const ExtractOptions & options)
+{
+  return !options.htmlFile.empty() || !options.previewFile.empty();
+}
+
+bool
 HasVectors(const ExtractOptions & options)
 {
   return !options.vectorFile.empty();
@@ -99,7 +105,16 @@ AddViews(std::vector<OptionRow> & rows)
     .Slicer({ Group, "previewFile", "Picture", "", SlicerFile(".png"), "output" });
   AddRow(rows, "--html", "FILE", File(&ExtractOptions::htmlFile))
     .OfJobs(Extractions, Group)
-    .Help("Page with picture, histogram and phases (.html)", "One file that opens offline, with the sheet in 3-D.");
+    .Help(
+      "Page with verdict, places, 3-D view (.html)",
+      "One file that opens offline: walls, places beyond the limits with a section through each, the sheet in 3-D in "
+      "colors of the thickness, and its histogram.");
+  AddRow(rows, "--color-range", "LOW,HIGH", Value(&ExtractOptions::colorRange, ToColorRange, FormatColorRange))
+    .OfJobs(Extractions, Group)
+    .Help(
+      "Thickness that colors of page and picture span",
+      "Fixed, so that parts can be compared; in units of the spacing. Default: from the 1st to the 99th percentile.")
+    .Needs("--html or --preview", HasColors);
   AddRow(rows, "--report", "FILE", File(&JobOptions::reportFile))
     .OfJobs(Runs, Group)
     .Help("All numbers (JSON); - for stdout", "With - it takes the place of the table.")

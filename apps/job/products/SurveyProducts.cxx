@@ -3,6 +3,7 @@
 #include "HtmlReport.h"
 #include "PlaceSurvey.h"
 #include "PlaceJson.h"
+#include "PlaceSections.h"
 #include "Preview.h"
 #include "Products.h"
 #include "SheetSurvey.h"
@@ -176,8 +177,9 @@ public:
     if (const VoxelOutput * const thicknesses = end.outputs.FindVolume("thickness_map"))
     {
       const char * const ofFile = geometry.inMillimeters ? "mm" : "units";
-      const Canvas       other =
-        DrawThicknessPreview(labels, *thicknesses, geometry, *m_Survey, m_Options.voxelUnits ? "voxels" : ofFile);
+      const ColorRange   colors = m_Options.colorRange.value_or(GetColorRange(m_Survey->GetSums().GetAreas()));
+      const Canvas       other = DrawThicknessPreview(
+        labels, *thicknesses, geometry, *m_Survey, colors, m_Options.voxelUnits ? "voxels" : ofFile);
       m_Pictures.thicknesses = other.EncodePng();
       m_Preview = JoinCanvases(canvas, other).EncodePng();
     }
@@ -210,6 +212,7 @@ public:
     const PreviewLayout     layout = ArrangePreview(header.geometry);
     const unsigned int      pictures = m_Options.thicknessFile.empty() ? 1 : 2;
     footprint.beside += pictures * perPixel * layout.width * layout.height + GetPageViewMemory(header.geometry);
+    footprint.beside += ListsPlaces(m_Options) ? GetSectionMemory() : 0;
     if (HasPageViewer())
     {
       footprint.Add(SheetSurvey::GetFootprint(header.geometry));
@@ -232,9 +235,14 @@ private:
   std::optional<std::string>
   MakeText(const JobResult & result) const override
   {
-    const ColorRange colors = GetColorRange(m_Thickness->GetSums().GetAreas());
+    const ColorRange colors = m_Options.colorRange.value_or(GetColorRange(m_Thickness->GetSums().GetAreas()));
+    Pictures         pictures = *m_Pictures;
+    if (ListsPlaces(m_Options))
+    {
+      pictures.sections = DrawPlaceSections(result.places, result.input);
+    }
     return MakeHtmlReport(
-      result.report, m_Options.command, *m_Pictures, { m_Survey.get(), colors }, result.input.geometry);
+      result.report, m_Options.command, pictures, { m_Survey.get(), colors }, result.input.geometry);
   }
 
   const Survey *   m_Thickness{ nullptr };

@@ -4,16 +4,10 @@
 #define medialvoxelColorRange_h
 
 #include "LengthHistogram.h"
+#include "Options.h"
 
 namespace medialvoxel
 {
-
-/** Lengths that colors span. */
-struct ColorRange
-{
-  double low;
-  double high; ///< greater than low
-};
 
 /** From the first to the 99th percentile; a voxel around the length where these are the same. */
 ColorRange

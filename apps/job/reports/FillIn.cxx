@@ -50,6 +50,16 @@ FormatLength(const Json & value)
   return value.is_number() ? FormatShort(value.get<double>()) : "-";
 }
 
+/** A share of 1, or of the product of further values. */
+std::string
+FormatShareOf(const Values & values)
+{
+  const double all = std::accumulate(values.begin() + 1, values.end(), 1.0, [](double product, const Json * value) {
+    return product * GetNumber(*value);
+  });
+  return all > 0.0 ? FormatFixed(100.0 * GetNumber(*values.front()) / all, 2) + " %" : "-";
+}
+
 /** The largest of them. */
 std::string
 FormatLargest(const Values & values)
@@ -115,11 +125,12 @@ struct Format
   std::string (*make)(const Values &);
 };
 
-const std::array<Format, 17> Formats{ {
+const std::array<Format, 18> Formats{ {
   { "", [](const Values & values) { return FormatPlain(*values.front()); } },
   { "short", FormatLargest },
+  { "rough", [](const Values & values) { return FormatShort(GetNumber(*values.front()), 3); } },
   { "fixed", [](const Values & values) { return FormatFixed(GetNumber(*values.front()), 2); } },
-  { "percent", [](const Values & values) { return FormatFixed(100.0 * GetNumber(*values.front()), 2) + " %"; } },
+  { "percent", FormatShareOf },
   { "share", FormatShare },
   { "count", FormatCount },
   { "size", [](const Values & values) { return std::to_string(values.front()->size()); } },

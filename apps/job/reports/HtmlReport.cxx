@@ -29,17 +29,12 @@ MakeRows(const TextTable & table, const char * kind)
   return "<table>\n" + rows + "</table>\n";
 }
 
-/** The second picture with its caption. */
 std::string
-MakeThicknessPicture(const std::string & picture, const std::string & unit)
+DescribeColors(const ColorRange & colors, const std::string & unit)
 {
-  return picture.empty() ? ""
-                         : "<img alt=\"The same views, colored by the thickness\" src=\"data:image/png;base64," +
-                             EncodeBase64(picture) +
-                             "\">\n<p class=\"muted\">The colors span the 1st to the 99th percentile, in " + unit +
-                             "; values outside are clamped. If several cells share a pixel, the thickest is shown. "
-                             "Unpaired cells have "
-                             "no color.</p>\n";
+  return "The colors span " + FormatShort(colors.low) + " to " + FormatShort(colors.high) + ", in " + unit +
+         "; values outside are clamped. If several cells share a pixel, the thickest is shown. Unpaired cells have no "
+         "color.";
 }
 
 TextTable
@@ -61,6 +56,7 @@ MakeHtmlReport(const Json &           report,
                const VolumeGeometry & geometry)
 {
   const std::string unit = FillIn("{unit}", report);
+  std::size_t       section = 0;
   const bool        hasView = HasView(sheet, geometry);
   const auto        rows = [&](Views view, const char * kind = "text") {
     return [&, view, kind] { return MakeRows(MakeTable(view, report), kind); };
@@ -68,11 +64,11 @@ MakeHtmlReport(const Json &           report,
   const std::map<std::string, std::function<std::string()>> parts{
     { "style", [] { return GetPageFile("page.css"); } },
     { "view", [&] { return hasView ? GetPageFile("view.html") : ""; } },
-    { "labels", [&] { return EncodeBase64(pictures.labels); } },
-    { "thicknesses", [&] { return MakeThicknessPicture(pictures.thicknesses, unit); } },
+    { "picture", [&] { return EncodeBase64(pictures.thicknesses.empty() ? pictures.labels : pictures.thicknesses); } },
+    { "caption", [&] { return pictures.thicknesses.empty() ? "" : DescribeColors(sheet.colors, unit); } },
+    { "section", [&] { return pictures.sections.at(section++); } },
     { "histogram", [&] { return MakeHistogramSvg(report["thickness"], unit); } },
     { "thickness", rows(PageThickness, "number") },
-    { "percentiles", rows(PagePercentiles, "number") },
     { "measure", [&] { return EscapeHtml(FillIn(MeasureText, report)); } },
     { "local_thickness", rows(PageLocalThickness) },
     { "input", rows(PageInput) },

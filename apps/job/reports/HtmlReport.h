@@ -7,15 +7,17 @@
 #include "PageView.h"
 
 #include <string>
+#include <vector>
 
 namespace medialvoxel
 {
 
-/** Pictures as the bytes of PNG files; empty: there is none. */
+/** Pictures of a page. */
 struct Pictures
 {
-  std::string labels;
-  std::string thicknesses;
+  std::string              labels;      ///< PNG
+  std::string              thicknesses; ///< PNG; empty: there is none
+  std::vector<std::string> sections;    ///< HTML, of the places that the page shows
 };
 
 /** The report of an extraction as one page that needs no other file: `page/report.html` filled with the values of the

@@ -14,27 +14,23 @@ namespace
 {
 
 constexpr Color ObjectColor{ 95, 95, 100 };
-constexpr Color BoundColor{ 255, 255, 255 };
-constexpr Color GeodesicColor{ 255, 45, 35 };
+constexpr Color MedialColor{ 255, 45, 35 };
+
+Color
+GetColor(std::uint8_t label)
+{
+  return label >= itk::MedialVoxelLabel::MedialByBound
+           ? MedialColor
+           : (label == itk::MedialVoxelLabel::NoObject ? PreviewBackgroundColor : ObjectColor);
+}
 
 /** A thin sheet must not vanish among the voxels that a pixel covers: any medial one colors it. */
 Color
 GetColor(const Slice<std::uint8_t> & slice, const CoveredArea & covered)
 {
-  std::uint64_t bound = 0;
-  std::uint64_t geodesic = 0;
-  bool          isObject = false;
-  ForEachCovered(covered, slice.width, [&](std::uint64_t at) {
-    const std::uint8_t label = slice.values[at];
-    bound += label == itk::MedialVoxelLabel::MedialByBound ? 1 : 0;
-    geodesic += label == itk::MedialVoxelLabel::MedialByGeodesic ? 1 : 0;
-    isObject = isObject || label != itk::MedialVoxelLabel::NoObject;
-  });
-  if (bound + geodesic > 0)
-  {
-    return geodesic >= bound ? GeodesicColor : BoundColor;
-  }
-  return isObject ? ObjectColor : PreviewBackgroundColor;
+  std::uint8_t label = itk::MedialVoxelLabel::NoObject;
+  ForEachCovered(covered, slice.width, [&](std::uint64_t at) { label = std::max(label, slice.values[at]); });
+  return GetColor(label);
 }
 
 /** Brightness of a ray with so many medial cells: at least a third, full at the most that any ray has. */
@@ -62,12 +58,8 @@ DrawProjection(Canvas & canvas, const Survey & survey, const Rectangle & area)
   }
   DrawView(canvas, area, size[0], size[1], false, [&](const CoveredArea & covered) {
     const Survey::ProjectedPixel & pixel = pixels[covered.rows[0] * size[0] + covered.columns[0]];
-    if (pixel.label >= itk::MedialVoxelLabel::MedialByBound)
-    {
-      const bool isGeodesic = pixel.label == itk::MedialVoxelLabel::MedialByGeodesic;
-      return Dim(isGeodesic ? GeodesicColor : BoundColor, pixel.medialCells, most);
-    }
-    return pixel.label == itk::MedialVoxelLabel::NoObject ? PreviewBackgroundColor : ObjectColor;
+    const Color                    color = GetColor(pixel.label);
+    return color == MedialColor ? Dim(color, pixel.medialCells, most) : color;
   });
 }
 
@@ -108,8 +100,7 @@ DrawPreview(const VoxelOutput & labels, const VolumeGeometry & geometry, const S
   }
   const unsigned int y = layout.height - TextHeight - PreviewGap;
   unsigned int       x = DrawLegendEntry(canvas, PreviewGap, y, ObjectColor, "Object");
-  x = DrawLegendEntry(canvas, x, y, BoundColor, "Medial by bound");
-  x = DrawLegendEntry(canvas, x, y, GeodesicColor, "Medial by geodesic");
+  x = DrawLegendEntry(canvas, x, y, MedialColor, "Medial sheet");
   DrawScaleBar(canvas, x, y, layout.pixelsPerUnit, geometry);
   return canvas;
 }

@@ -21,10 +21,9 @@ enum Views : unsigned int
   PageInput = 1 << 3, ///< and further tables of the page
   PageParameters = 1 << 4,
   PageThickness = 1 << 5,
-  PagePercentiles = 1 << 6,
-  PageLocalThickness = 1 << 7,
-  PageRun = 1 << 8,
-  SlicerLines = 1 << 9 ///< that 3D Slicer reads back
+  PageLocalThickness = 1 << 6,
+  PageRun = 1 << 7,
+  SlicerLines = 1 << 8 ///< that 3D Slicer reads back
 };
 
 /** A row of views, which FillIn() fills. */

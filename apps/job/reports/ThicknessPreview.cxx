@@ -20,8 +20,8 @@ constexpr Color ObjectColor{ 70, 70, 74 };
 class Scale
 {
 public:
-  explicit Scale(const LengthHistogram & thickness)
-    : m_Range(GetColorRange(thickness))
+  explicit Scale(const ColorRange & range)
+    : m_Range(range)
   {}
 
   Color
@@ -108,12 +108,13 @@ DrawThicknessPreview(const VoxelOutput &    labels,
                      const VoxelOutput &    thicknesses,
                      const VolumeGeometry & geometry,
                      const Survey &         survey,
+                     const ColorRange &     colors,
                      const std::string &    unit)
 {
   const PreviewLayout     layout = ArrangePreview(geometry);
   const std::vector<View> views = ChooseViews(geometry, survey);
   const bool              isSolid = geometry.GetDimension() == 3;
-  const Scale             scale(survey.GetSums().GetAreas());
+  const Scale             scale(colors);
   Canvas                  canvas(layout.width, layout.height);
   for (size_t i = 0; i < views.size(); ++i)
   {

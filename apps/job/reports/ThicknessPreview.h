@@ -4,6 +4,7 @@
 #define medialvoxelThicknessPreview_h
 
 #include "VoxelOutput.h"
+#include "ColorRange.h"
 #include "PreviewCanvas.h"
 #include "Survey.h"
 
@@ -17,15 +18,16 @@ namespace medialvoxel
 std::uint64_t
 GetThicknessPreviewMemory(const VolumeGeometry & geometry);
 
-/** Draws a finished thickness map in the views of DrawPreview(): object gray, medial cells in colors from the first to
- * the 99th percentile of the thickness, which the survey has measured at all cells; unpaired cells are object. Where
- * more cells fall together the thickest counts, in the projection the thickest along the ray.
+/** Draws a finished thickness map in the views of DrawPreview(): object gray, medial cells in colors of the thickness;
+ * unpaired cells are object. Where more cells fall together the thickest counts, in the projection the thickest along
+ * the ray.
  * \param unit of the lengths, in capital letters */
 Canvas
 DrawThicknessPreview(const VoxelOutput &    labels,
                      const VoxelOutput &    thicknesses,
                      const VolumeGeometry & geometry,
                      const Survey &         survey,
+                     const ColorRange &     colors,
                      const std::string &    unit);
 
 } // end namespace medialvoxel

@@ -8,9 +8,8 @@ const MedialVoxelScene = (() => {
   const VERTEX = `
     attribute float thickness;
     attribute float isKnown;
-    uniform vec2 range;
     uniform float pointSize;
-    varying float share;
+    varying float wall;
     varying float known;
     varying float light;
     varying float depth;
@@ -20,7 +19,7 @@ const MedialVoxelScene = (() => {
       vec3 across = normalMatrix * normal;
       float facing = dot(across, across) > 0.0 ? abs(dot(normalize(across), normalize(vec3(0.35, 0.45, 1.0)))) : 0.8;
       light = 0.42 + 0.6 * facing;
-      share = (thickness - range.x) / (range.y - range.x);
+      wall = thickness;
       known = isKnown;
       depth = -seen.z;
       place = position;
@@ -29,9 +28,14 @@ const MedialVoxelScene = (() => {
     }`;
   const FRAGMENT = `
     uniform sampler2D colors;
+    uniform vec2 range;
+    uniform vec2 limits;
+    uniform vec3 classes[3];
+    uniform bool isByLimits;
+    uniform float pixelRatio;
     uniform vec4 cut;
     uniform float nearest;
-    varying float share;
+    varying float wall;
     varying float known;
     varying float light;
     varying float depth;
@@ -41,10 +45,17 @@ const MedialVoxelScene = (() => {
       if (length(gl_PointCoord - 0.5) > 0.5) discard;
       #endif
       if (depth < nearest || dot(cut.xyz, place) > cut.w) discard;
+      float share = (wall - range.x) / (range.y - range.x);
       vec3 color = texture2D(colors, vec2(clamp(share, 0.002, 0.998), 0.5)).rgb;
-      gl_FragColor = vec4(mix(vec3(0.62, 0.64, 0.67), color, step(0.5, known)) * light, 1.0);
+      if (isByLimits) color = wall < limits.x ? classes[0] : wall > limits.y ? classes[2] : classes[1];
+      if (known < -0.5) color = vec3(0.62, 0.64, 0.67);
+      float stripe = step(0.6, fract((gl_FragCoord.x + gl_FragCoord.y) / (7.0 * pixelRatio)));
+      if (known < 0.5) color = mix(color, vec3(1.0), 0.75 * stripe);
+      gl_FragColor = vec4(color * light, 1.0);
     }`;
   const FAR_AWAY = 1e30;
+  const MARGIN = 70; // pixels around the box
+  const CLASSES = ["#d55e00", "#009e73", "#0072b2"]; // below, within and above; told apart by all eyes
 
   function makeColors(hex) {
     const bytes = new Uint8Array(hex.length / 2);
@@ -56,7 +67,7 @@ const MedialVoxelScene = (() => {
     return texture;
   }
 
-  function makeGeometry(sheet, index) {
+  function makeGeometry(sheet, { index }) {
     const geometry = new THREE.BufferGeometry();
     const set = (name, values, size) => geometry.setAttribute(name, new THREE.BufferAttribute(values, size));
     set("position", sheet.positions, 3);
@@ -67,21 +78,27 @@ const MedialVoxelScene = (() => {
     return geometry;
   }
 
-  // The box around the sheet along the axes of space.
-  function makeBounds(data, sheet) {
-    const box = new THREE.Box3().setFromArray(sheet.positions);
+  // The box along the axes of space around the largest piece of the sheet, or all of them.
+  function makeBounds(data, sheet, hasAll) {
+    const box = new THREE.Box3();
+    const point = new THREE.Vector3();
+    sheet.isMain.forEach((isMain, at) => {
+      if (isMain || hasAll) {
+        box.expandByPoint(point.fromArray(sheet.positions, 3 * at));
+      }
+    });
     return box.expandByScalar(Math.max(...data.spacing) * data.edge);
   }
 
-  // Steps of 1, 2 or 5 times a power of ten, about four of them.
-  function makeStep(length) {
-    const raw = length / 4;
+  // Steps of 1, 2 or 5 times a power of ten, at most so many of them.
+  function makeStep(length, most = 4) {
+    const raw = length / most;
     const power = 10 ** Math.floor(Math.log10(raw));
     return power * ([1, 2, 5].find((factor) => factor * power >= raw) ?? 10);
   }
 
   // Numbers along the axes: where on which axis, and the text.
-  function makeTicks(bounds, frame) {
+  function makeTicks(bounds, frame, unit) {
     const ticks = [];
     const longest = Math.max(...bounds.getSize(new THREE.Vector3()).toArray());
     const step = makeStep(longest);
@@ -91,7 +108,7 @@ const MedialVoxelScene = (() => {
         const text = String(Number((number * step).toPrecision(10)));
         ticks.push({ axis, at: number * step - frame.middle[axis], text, kind: "number" });
       }
-      ticks.push({ axis, at: high - frame.middle[axis] + 0.06 * longest, text: "xyz"[axis], kind: "name" });
+      ticks.push({ axis, at: high - frame.middle[axis] + 0.06 * longest, text: "xyz"[axis] + unit, kind: "name" });
     }
     return ticks;
   }
@@ -114,7 +131,7 @@ const MedialVoxelScene = (() => {
   // Two balls and a line that nothing hides.
   function makeMarks() {
     const marks = new THREE.Group();
-    const options = { color: 0xdc2626, depthTest: false, transparent: true };
+    const options = { color: 0x111827, depthTest: false, transparent: true };
     const ball = new THREE.SphereBufferGeometry(1, 20, 14);
     const balls = [0, 1].map(() => new THREE.Mesh(ball, new THREE.MeshBasicMaterial(options)));
     const line = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial(options));
@@ -137,12 +154,15 @@ const MedialVoxelScene = (() => {
 
   function make(canvas, data, sheet) {
     const renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
-    const bounds = makeBounds(data, sheet);
-    const middle = bounds.getCenter(new THREE.Vector3());
-    const radius = bounds.getSize(new THREE.Vector3()).length() / 2;
+    const bounds = new THREE.Box3();
+    const middle = new THREE.Vector3();
     const uniforms = {
       colors: { value: makeColors(data.colors) },
       range: { value: new THREE.Vector2(data.low, data.high) },
+      limits: { value: new THREE.Vector2(...data.limits) },
+      classes: { value: CLASSES.map((color) => new THREE.Color(color)) },
+      isByLimits: { value: false },
+      pixelRatio: { value: 1 },
       cut: { value: new THREE.Vector4(0, 0, 0, FAR_AWAY) },
       nearest: { value: 0 },
       pointSize: { value: 1 },
@@ -151,16 +171,49 @@ const MedialVoxelScene = (() => {
       new THREE.ShaderMaterial({ uniforms, defines, vertexShader: VERTEX, fragmentShader: FRAGMENT, side: THREE.DoubleSide });
     const surface = new THREE.Mesh(makeGeometry(sheet, sheet.faces), makeMaterial({}));
     const singles = new THREE.Points(makeGeometry(sheet, sheet.singles), makeMaterial({ ROUND: true }));
+    surface.frustumCulled = singles.frustumCulled = false;
     const marks = makeMarks();
-    const ticks = makeTicks(bounds, sheet.frame);
     const scene = new THREE.Scene();
     scene.add(surface, singles, new THREE.Box3Helper(bounds, 0x8b95a3), marks);
     const camera = new THREE.PerspectiveCamera(32, 1, 1, 10);
     camera.up.set(0, 0, 1);
+    let ticks = [];
+    let radius = 0;
+
+    // The largest piece alone, or all.
+    function choosePieces(hasAll) {
+      bounds.copy(makeBounds(data, sheet, hasAll));
+      bounds.getCenter(middle);
+      radius = bounds.getSize(new THREE.Vector3()).length() / 2;
+      ticks = makeTicks(bounds, sheet.frame, data.lengths.length < 3 ? `, ${data.lengths}` : "");
+      surface.geometry.setDrawRange(0, hasAll ? Infinity : sheet.faces.main);
+      singles.geometry.setDrawRange(0, hasAll ? Infinity : sheet.singles.main);
+    }
+
+    // The target, and the distance from it at which the box just fits with room for the numbers, seen from a direction.
+    function fit(direction) {
+      const right = camera.up.clone().cross(direction).normalize();
+      const up = direction.clone().cross(right);
+      const ends = [bounds.min, bounds.max].map((end) => end.clone().sub(middle).toArray());
+      const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((corner) => new THREE.Vector3(...[0, 1, 2].map((axis) => ends[(corner >> axis) & 1][axis])));
+      const slope = Math.tan((camera.fov * Math.PI) / 360);
+      const { clientWidth, clientHeight } = canvas;
+      const target = middle.clone();
+      const distances = [
+        [right, slope * camera.aspect * (1 - MARGIN / clientWidth)],
+        [up, slope * (1 - MARGIN / clientHeight)],
+      ].map(([axis, most]) => {
+        const [high, low] = [1, -1].map((sign) => Math.max(...corners.map((corner) => sign * corner.dot(axis) + most * corner.dot(direction))));
+        target.addScaledVector(axis, (high - low) / 2);
+        return (high + low) / (2 * most);
+      });
+      return { target, distance: Math.max(...distances) };
+    }
 
     function resize() {
       const { clientWidth, clientHeight } = canvas.parentElement;
-      renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+      uniforms.pixelRatio.value = Math.min(window.devicePixelRatio, 2);
+      renderer.setPixelRatio(uniforms.pixelRatio.value);
       renderer.setSize(clientWidth, clientHeight, false);
       camera.aspect = clientWidth / Math.max(clientHeight, 1);
     }
@@ -213,12 +266,24 @@ const MedialVoxelScene = (() => {
       return hit ? { point: hit.point, thickness: sheet.thickness[hit.face.a], isKnown: sheet.isKnown[hit.face.a] > 0 } : null;
     }
 
+    // Whether the point of the sheet that is nearest to a place is in its largest piece.
+    function isInMainPiece(place) {
+      let [least, nearest] = [Infinity, 0];
+      const point = new THREE.Vector3();
+      for (let at = 0; at < sheet.isMain.length; ++at) {
+        const distance = point.fromArray(sheet.positions, 3 * at).distanceToSquared(place);
+        [least, nearest] = distance < least ? [distance, at] : [least, nearest];
+      }
+      return sheet.isMain[nearest] > 0;
+    }
+
     return {
-      camera, bounds, middle, radius, marks, resize, render, setCut, pick,
-      placeTicks,
+      camera, marks, resize, render, setCut, pick, placeTicks, choosePieces, fit, isInMainPiece,
+      getRadius: () => radius,
       hideBefore: (depth) => (uniforms.nearest.value = depth),
+      colorByLimits: (is) => (uniforms.isByLimits.value = is),
     };
   }
 
-  return { make };
+  return { make, makeStep, CLASSES };
 })();

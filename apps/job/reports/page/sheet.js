@@ -7,6 +7,7 @@
 const MedialVoxelSheet = (() => {
   const NOT_MEASURED = 1; // the code of a point whose cells are left out of the measurement; 0: all of them are unpaired
   const FIRST_LENGTH = 2;
+  const MOST_ROUNDS = 256; // that lengths spread, a point further in each
 
   function decodeBase64(text) {
     const characters = atob(text.trim());
@@ -140,10 +141,12 @@ const MedialVoxelSheet = (() => {
     }
   }
 
-  // Lengths spread to points without one; those that are only not measured count as known then.
+  // Lengths spread from the nearest points that have one; points that are only not measured count as known then. Points
+  // that no length reaches are -1.
   function spreadLengths(points, previous) {
     const isSet = Uint8Array.from(points.isKnown);
-    for (let round = 0; round < 3; ++round) {
+    let hasSpread = true;
+    for (let round = 0; hasSpread && round < MOST_ROUNDS; ++round) {
       const sums = new Float64Array(points.number);
       const numbers = new Uint8Array(points.number);
       previous.forEach((other, at) => {
@@ -161,7 +164,38 @@ const MedialVoxelSheet = (() => {
           isSet[point] = 1;
         }
       });
+      hasSpread = numbers.some((number) => number > 0);
     }
+    isSet.forEach((is, point) => (points.isKnown[point] = is ? points.isKnown[point] : -1));
+  }
+
+  // Which points are in the largest connected piece.
+  function findMainPiece(points, previous) {
+    const parents = Uint32Array.from({ length: points.number }, (_, point) => point);
+    const find = (point) => {
+      while (parents[point] !== point) {
+        point = parents[point] = parents[parents[point]];
+      }
+      return point;
+    };
+    previous.forEach((other, at) => {
+      if (other >= 0) {
+        parents[find(other)] = find(Math.floor(at / 3));
+      }
+    });
+    const sizes = new Uint32Array(points.number);
+    parents.forEach((_, point) => ++sizes[find(point)]);
+    const largest = sizes.indexOf(sizes.reduce((most, size) => Math.max(most, size), 0));
+    return Uint8Array.from(parents, (_, point) => (find(point) === largest ? 1 : 0));
+  }
+
+  // Groups of so many points with those of the main piece first, and the number of points in these.
+  function putMainFirst(index, size, isMain) {
+    const [main, others] = [[], []];
+    for (let at = 0; at < index.length; at += size) {
+      (isMain[index[at]] ? main : others).push(...index.subarray(at, at + size));
+    }
+    return { index: Uint32Array.from([...main, ...others]), main: main.length };
   }
 
   // The matrix from indices to space, relative to the middle of the volume.
@@ -222,12 +256,14 @@ const MedialVoxelSheet = (() => {
     smooth(points, previous, uses);
     const frame = makeFrame(data);
     const positions = placePoints(points, data, frame);
+    const isMain = findMainPiece(points, previous);
     return {
       frame,
       positions,
-      faces,
+      isMain,
+      faces: putMainFirst(faces, 3, isMain),
       normals: makeNormals(positions, faces),
-      singles: findSingles(points, faces),
+      singles: putMainFirst(findSingles(points, faces), 1, isMain),
       thickness: points.thickness,
       isKnown: points.isKnown,
     };

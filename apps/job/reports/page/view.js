@@ -19,11 +19,53 @@
     return Boolean(other.getContext("webgl2") || other.getContext("webgl"));
   }
 
-  function showLegend() {
+  const limits = document.querySelector(".places")?.dataset ?? {};
+  data.limits = [Number(limits.below ?? -Infinity), Number(limits.above ?? Infinity)];
+
+  function makeElement(kind, name, text, style = {}) {
+    const made = document.createElement(kind);
+    made.className = name;
+    made.textContent = text;
+    Object.assign(made.style, style);
+    return made;
+  }
+
+  // A field of a color and its text.
+  function makeClass(text, name, style) {
+    const made = makeElement("span", "class", text);
+    made.prepend(makeElement("i", name, "", style));
+    return made;
+  }
+
+  // One scale with numbers.
+  function makeScale() {
     const colors = data.colors.match(/.{6}/g).map((color) => "#" + color);
-    element("bar").style.background = "linear-gradient(to top," + colors.join(",") + ")";
-    element("low").textContent = format(data.low) + inUnits;
-    element("high").textContent = "thickness " + format(data.high) + inUnits;
+    const bar = makeElement("span", "bar", "", { background: `linear-gradient(to right,${colors.join(",")})` });
+    const step = MedialVoxelScene.makeStep(data.high - data.low, 5);
+    for (let number = Math.ceil(data.low / step); number * step <= data.high; ++number) {
+      const left = (100 * (number * step - data.low)) / (data.high - data.low);
+      bar.append(makeElement("span", "tick", format(number * step), { left: left + "%" }));
+    }
+    return [bar];
+  }
+
+  // Walls below, within and above the limits that there are.
+  function makeClasses() {
+    const [below, above] = data.limits.map(format);
+    const texts = [
+      limits.below && `below ${below}`,
+      limits.below && limits.above ? `${below} to ${above}` : limits.below ? `${below} and more` : `up to ${above}`,
+      limits.above && `above ${above}`,
+    ];
+    return texts.flatMap((text, i) => (text ? [makeClass(text, "", { background: MedialVoxelScene.CLASSES[i] })] : []));
+  }
+
+  function showLegend(isByLimits) {
+    element("legend").replaceChildren(
+      makeElement("span", "title", `Thickness, ${data.lengths}`),
+      ...(isByLimits ? makeClasses() : makeScale()),
+      makeClass("rim or junction, in the color of the nearest wall", "rim")
+    );
   }
 
   // Sides, corners of the extent and texts of a row of the table.
@@ -59,8 +101,9 @@
           const length = Math.hypot(away.x, away.y) || 1;
           span.textContent = text;
           span.className = kind;
-          span.style.left = `calc(${50 + 50 * seen.x}% + ${(16 * away.x) / length}px)`;
-          span.style.top = `calc(${50 - 50 * seen.y}% - ${(16 * away.y) / length}px)`;
+          const offset = (kind === "mark" ? 36 : 16) / length; // pixels
+          span.style.left = `calc(${50 + 50 * seen.x}% + ${offset * away.x}px)`;
+          span.style.top = `calc(${50 - 50 * seen.y}% - ${offset * away.y}px)`;
           span.hidden = seen.z > 1;
           return span;
         })
@@ -123,9 +166,32 @@
     function showWhole() {
       markRow(-1);
       const direction = new THREE.Vector3(0.55, -1, 0.62).normalize();
-      const distance = scene.radius / Math.sin((camera.fov * Math.PI) / 360) / Math.min(1, camera.aspect);
-      fly(direction.multiplyScalar(distance * 1.03).add(scene.middle), scene.middle.clone());
+      const { target, distance } = scene.fit(direction);
+      fly(target.clone().addScaledVector(direction, distance), target);
       say("");
+    }
+
+    function choosePieces() {
+      scene.choosePieces(element("pieces").checked);
+      controls.minDistance = scene.getRadius() / 1000;
+      controls.maxDistance = scene.getRadius() * 20;
+      cut();
+    }
+
+    function color() {
+      const isByLimits = Boolean(limits.below || limits.above) && element("color").value === "limits";
+      scene.colorByLimits(isByLimits);
+      showLegend(isByLimits);
+      ask();
+    }
+
+    // Controls of what this sheet has.
+    function offerChoices() {
+      const others = 1 - sheet.isMain.reduce((sum, is) => sum + is, 0) / sheet.isMain.length;
+      element("color-label").hidden = !limits.below && !limits.above;
+      element("pieces-label").hidden = others === 0;
+      element("pieces-text").textContent = `Other pieces, ${(100 * others).toFixed(1)} % of the sheet`;
+      section.dataset.others = String(others);
     }
 
     // From where both sides are seen beside each other, and the sheet between them from above.
@@ -147,8 +213,12 @@
       scene.place = { center: place.center, reach: reach / 2 };
       scene.mark = { point: place.center, away: { x: 0, y: 1.4 }, text: rows[number].dataset.length, kind: "mark" };
       markRow(number);
+      if (!element("pieces").checked && !scene.isInMainPiece(place.center)) {
+        element("pieces").checked = true;
+        choosePieces();
+      }
       scene.marks.show(place.sides);
-      fly(place.center.clone().addScaledVector(direction, Math.min(4.2 * reach, 2 * scene.radius)), place.center);
+      fly(place.center.clone().addScaledVector(direction, Math.min(4.2 * reach, 2 * scene.getRadius())), place.center);
       say(place.text);
     }
 
@@ -270,7 +340,8 @@
         button.setAttribute("aria-label", "Fly to " + row.dataset.text);
         cell.replaceChildren(button);
         row.addEventListener("click", () => {
-          section.scrollIntoView({ block: "nearest", behavior: calm ? "auto" : "smooth" });
+          element("stage").scrollIntoView({ block: "nearest", behavior: calm ? "auto" : "smooth" });
+          canvas.focus({ preventScroll: true });
           showPlace(number);
         });
       });
@@ -279,8 +350,6 @@
     controls.enableKeys = false;
     controls.enableZoom = false;
     controls.screenSpacePanning = true;
-    controls.minDistance = scene.radius / 1000;
-    controls.maxDistance = scene.radius * 20;
     controls.addEventListener("change", ask);
     canvas.addEventListener("focus", () => (controls.enableZoom = true));
     canvas.addEventListener("blur", () => (controls.enableZoom = false));
@@ -290,17 +359,24 @@
     element("cut").addEventListener("input", () => cut(element("axis").value));
     element("flip").addEventListener("change", () => cut());
     element("open").addEventListener("change", ask);
+    element("color").addEventListener("change", color);
+    element("pieces").addEventListener("change", () => {
+      choosePieces();
+      showWhole();
+    });
     new ResizeObserver(() => {
       scene.resize();
       ask();
     }).observe(canvas.parentElement);
     listenToClicks();
     listenToRows();
-    showLegend();
+    offerChoices();
+    color();
     scene.resize();
-    cut();
+    choosePieces();
     showWhole();
-    section.dataset.triangles = String(sheet.faces.length / 3);
+    section.dataset.triangles = String(sheet.faces.index.length / 3);
+    document.getElementById("picture").open = false;
   }
 
   if (hasWebGl()) {
