@@ -51,7 +51,7 @@ GetSynopsis(const CLI::App & app)
   std::string text = app.get_parent() ? "medialvoxel " + app.get_name() : "medialvoxel COMMAND";
   for (const CLI::Option * const argument : GetOptions(app, true))
   {
-    text += " " + argument->get_name(true);
+    text += argument->get_required() ? " " + argument->get_name(true) : " [" + argument->get_name(true) + "]";
   }
   for (const CLI::Option * const option : GetOptions(app, false))
   {

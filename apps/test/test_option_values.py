@@ -59,7 +59,7 @@ class OptionValueTest(ProgramTestCase):
                 *((option["usage"], option.get("choices")) for option in command["options"]),
                 *((usage, None) for usage in HIDDEN.get(command["name"], [])),
             ]
-            if usage != "--version"
+            if usage != "-V,--version"
         ]
 
     def command_with(self, command, option, value):
@@ -126,9 +126,13 @@ class OptionValueTest(ProgramTestCase):
         self.assert_refused("--slurm", "", [*plan, "--slurm="])
         self.assert_refused("--slurm-clusters", "4", [*plan, "--slurm=off", "--slurm-clusters", "4"])
 
-    def test_value_of_a_flag_stands_behind_an_equals_sign(self):
-        message = self.run_program("extract", "no.mha", "out.mha", "--sub-voxel", "off", status=USAGE).stderr
-        self.assertIn("did you mean --sub-voxel=off?", message)
+    def test_value_of_a_flag_is_the_next_word(self):
+        """But for 0 and 1, which are names of folders of slices."""
+        for word in FLAG_WORDS:
+            if word in ("0", "1"):
+                self.assertIn(f"cannot open {word}:", self.run_program("info", "--values", word, status=FAILURE).stderr)
+            else:
+                self.assert_taken(["extract", "--sub-voxel", word, "no.mha", "out.mha", "--lower", "50"])
         message = self.run_program("extract", "no.mha", "out.mha", "--report", "--quiet", status=USAGE).stderr
         self.assertIn("--report: has no value, FILE; the option --quiet follows", message)
 

@@ -68,7 +68,7 @@ class TextsTest(ProgramTestCase):
 
     def test_bash_completes(self):
         self.assertEqual(self.complete("ex"), ["extract"])
-        self.assertEqual(self.complete(""), [*COMMANDS, "-h", "--help", "--version"])
+        self.assertEqual(self.complete(""), [*COMMANDS, "-h", "--help", "-V", "--version"])
         self.assertEqual(self.complete("extract", "--th"), ["--thickness", "--thickness-map", "--thickness-csv", "--thin-below", "--thick-above", "--threads"])
         self.assertEqual(self.complete("distance", "--th"), ["--threads"])
         self.assertEqual(self.complete("extract", "--vector-boundary", ""), ["object", "background"])

@@ -208,7 +208,9 @@ AddVolume(std::vector<OptionRow> & rows)
 {
   AddRow(rows, "INPUT", "FILE", File(&JobOptions::input))
     .OfJobs(Volumes)
-    .Help("Volume: " + JoinWords(ListInputFormats(), " "))
+    .Help("DICOM folder, " + JoinWords(ListInputFormats(), " "),
+          "A file, a folder of slices (DICOM, TIFF, PNG, JPEG or BMP), or a pattern of their names such as "
+          "'scan/*.png'.")
     .Slicer({ "IO",
               "inputVolume",
               "Input volume",
@@ -234,7 +236,6 @@ AddVolume(std::vector<OptionRow> & rows)
   constexpr std::uint64_t largestLevel = 64;
   AddRow(rows, "--resolution", "N", Count(&JobOptions::level, 0, largestLevel))
     .OfJobs(Volumes)
-    .Formerly("--level")
     .Help("Of an image with several sizes; 0 (default): largest",
           "Needs an OME-Zarr image with so many levels. Each has about half the size of the one before.");
   AddRow(rows, "--resample", "S", Resampling())

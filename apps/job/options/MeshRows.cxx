@@ -61,7 +61,6 @@ AddMesh(std::vector<OptionRow> & rows)
   AddRow(rows, "--min-component-size", "N", Count(&ExtractOptions::minimumComponentSize, 0))
     .Of(Sheets, "Mesh")
     .HiddenIn(Extractions)
-    .Formerly("--smallest-component")
     .Help("Leave out components of fewer faces of a voxel",
           std::string("Default 100 for elements of a size in ") + SolverExtensions +
             "; otherwise 0, which keeps all. Holds the whole surface in memory. Needs a mesh.")
@@ -86,7 +85,7 @@ AddElements(std::vector<OptionRow> & rows)
               Choice<ModuleOptions, Kind>(
                 &ModuleOptions::elementSizeMode,
                 { { "Voxel", Kind::Voxel }, { "Automatic", Kind::Automatic }, { "Fixed", Kind::Length } }) });
-  AddRow(rows, "--element-size", "H", Value(&ExtractOptions::elementSize, ToElementSize, FormatElementSize))
+  AddRow(rows, "--element-size", "H", OfLengths(Value(&ExtractOptions::elementSize, ToElementSize, FormatElementSize)))
     .Of(Sheets, "Mesh")
     .HiddenIn(Plan)
     .Help("Length of the mesh's sides; auto, voxel",

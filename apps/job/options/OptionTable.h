@@ -61,8 +61,8 @@ struct OptionRow
   std::string     unit;  ///< word for the value; empty for flags
   OptionValue     value; ///< member, range and default
   unsigned int    commands{ 0 };
-  unsigned int    hiddenIn{ 0 }; ///< commands that take it and do not show it
-  std::string     formerName;    ///< refused, with the one of today
+  unsigned int    hiddenIn{ 0 };   ///< commands that take it and do not show it
+  unsigned int    optionalIn{ 0 }; ///< commands that do without this argument
   std::string     group{ "Options" };
   std::string     help;      ///< the line of the help, without a full stop
   std::string     details;   ///< further sentences, of the manual and the reference
@@ -101,9 +101,9 @@ struct OptionRow
     return *this;
   }
   OptionRow &
-  Formerly(std::string option)
+  OptionalIn(unsigned int those)
   {
-    formerName = std::move(option);
+    optionalIn = those;
     return *this;
   }
   OptionRow &

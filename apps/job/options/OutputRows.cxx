@@ -39,6 +39,7 @@ AddArguments(std::vector<OptionRow> & rows)
   constexpr unsigned int vector = 3;
   AddRow(rows, "OUTPUT", "FILE", File(&ExtractOptions::output))
     .OfJobs(Extractions)
+    .OptionalIn(Extract)
     .Help("Labels: " + ListExtensions(1))
     .Slicer(
       { "IO",

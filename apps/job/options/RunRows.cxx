@@ -30,6 +30,12 @@ WritesZarr(const OptionTarget & target)
   });
 }
 
+bool
+HasLabels(const ExtractOptions & options)
+{
+  return !options.output.empty();
+}
+
 /** The threads of the module: 0 stands for the default. */
 OptionValue
 ModuleThreads(std::int64_t most)
@@ -238,7 +244,8 @@ AddPacking(std::vector<OptionRow> & rows)
   AddRow(rows, "--resume", "", Flag(&ProgramOptions::resumes))
     .Of(Extract, Group)
     .Help("Continue a stopped run, or start one that can",
-          "The job folder is OUTPUT.job until the run is complete. The same command continues.");
+          "The job folder is OUTPUT.job until the run is complete. The same command continues.")
+    .Needs("OUTPUT", HasLabels);
 }
 
 } // namespace

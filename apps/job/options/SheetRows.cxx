@@ -16,14 +16,14 @@ using Parameters = itk::MedialVoxelParameters;
 OptionValue
 Thickness()
 {
-  return Value<ExtractOptions>(
+  return OfLengths(Value<ExtractOptions>(
     [](ExtractOptions & options, const std::string & text) {
       options.thickness =
         ToLower(text) == AutomaticThickness ? std::nullopt : std::optional<double>(ToLength(text, " or auto"));
     },
     [](const ExtractOptions & options) {
       return options.thickness ? std::optional<std::string>(FormatNumber(*options.thickness)) : std::nullopt;
-    });
+    }));
 }
 
 bool
@@ -87,14 +87,12 @@ AddThickness(std::vector<OptionRow> & rows)
         Length(&ModuleOptions::thickness) });
   AddRow(rows, "--min-thickness", "T", Length(&ExtractOptions::minimumThickness))
     .OfJobs(Sheets)
-    .Formerly("--minimum-thickness")
     .Help("auto: thinner walls count as this (default: " + fewest + " voxels)",
           "In units of the spacing. Needs the thickness auto.")
     .Needs("the thickness auto", IsAutomatic)
     .Python(Extract | Mesh);
   AddRow(rows, "--max-thickness", "T", Length(&ExtractOptions::maximumThickness))
     .OfJobs(Sheets)
-    .Formerly("--maximum-thickness")
     .Help(
       "auto: thickest wall to be a sheet (default: " + most + ")",
       "In units of the spacing. Needs the thickness auto. The default is doubled where walls need it. Time and memory "
@@ -166,7 +164,6 @@ AddDistances(std::vector<OptionRow> & rows)
     .Python(Distance);
   AddRow(rows, "--max-distance", "X", Length(&DistanceOptions::maximumDistance, ToDistance))
     .Of(Distance)
-    .Formerly("--maximum-distance")
     .Help("Voxels farther than this become NaN", "In units of the spacing; greater than 0. Default: none.")
     .Python(Distance);
 }

@@ -46,7 +46,8 @@ Method(LocalThicknessMethod TOptions::* member)
 OptionValue
 PlacesBeyond(std::optional<PlaceLimits> ExtractOptions::* member, PlaceKind kind)
 {
-  return Value(member, [kind](const std::string & text) { return ToPlaceLimits(text, kind); }, FormatPlaceLimits);
+  return OfLengths(
+    Value(member, [kind](const std::string & text) { return ToPlaceLimits(text, kind); }, FormatPlaceLimits));
 }
 
 void
@@ -142,7 +143,6 @@ AddGrayValues(std::vector<OptionRow> & rows)
                                          { { "Automatic", std::nullopt }, { "On", true }, { "Off", false } }) });
   AddRow(rows, "--materials", "B,M", Value(&ExtractOptions::materials, ToLevels, FormatLevels))
     .OfJobs(Extractions, Walls)
-    .Formerly("--levels")
     .Help("Values of background and material for that",
           "Default: those of the scan. Needs one threshold, which is between them; M is in the object.")
     .Needs("sub-voxel measures", MayBeSubVoxel)
@@ -181,7 +181,6 @@ AddPlaces(std::vector<OptionRow> & rows)
   const char * const places = "--thin-below or --thick-above";
   AddRow(rows, "--min-place-area", "A", Length(&ExtractOptions::minimumPlaceArea, ToLengthOrNone))
     .OfJobs(Extractions, Walls)
-    .Formerly("--smallest-place")
     .Help("Least area of these places",
           "In squared units of the spacing; default: that of ten faces of voxels. 0 keeps all.")
     .Needs(places, ListsPlaces);
