@@ -83,7 +83,7 @@ PrintResult(const CommandLine & line, const JobOptions & options, const JobResul
   }
   else if (!line.program.quiet)
   {
-    PrintTable(std::cout, MakeTable(table, result.report));
+    PrintTable(std::cout, MakeTable(table | (line.program.showsPhases ? LongTable : 0U), result.report));
   }
 }
 

@@ -378,7 +378,7 @@ class StoppedJobTest(JobTestCase):
             process.send_signal(signal.SIGKILL)
             process.wait()
             self.assertFalse((self.target / "out.mha").exists())
-        self.assertIn("medial cells", self.in_target(*command).stdout)
+        self.assertIn("walls", self.in_target(*command).stdout)
         self.assertEqual(jobs.results(self.target), expected)
         self.assertFalse(folder.exists())
 

@@ -286,14 +286,16 @@ std::string
 ReplaceUnits(const std::string & text, const double voxel)
 {
   constexpr std::size_t length = 2;
-  const auto            replace = [voxel](const std::string & part) {
+  std::string           replaced;
+  for (const std::string & part : SplitAtCommas(text))
+  {
     const std::size_t           front = part.size() < length ? 0 : part.size() - length;
     const std::string           unit = ToLower(part.substr(front));
     const std::optional<double> value =
       unit == "mm" || unit == "vx" ? ParseDouble(part.substr(0, front)) : std::nullopt;
-    return value ? FormatNumber(unit == "vx" ? *value * voxel : *value) : part;
-  };
-  return Join(SplitAtCommas(text), ",", replace);
+    replaced += "," + (value ? FormatNumber(unit == "vx" ? *value * voxel : *value) : part);
+  }
+  return replaced.substr(1);
 }
 
 bool

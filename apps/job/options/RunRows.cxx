@@ -208,6 +208,12 @@ AddMessages(std::vector<OptionRow> & rows)
   AddRow(rows, "--quiet", "", Flag(&ProgramOptions::quiet))
     .Of(Processes, Group)
     .Help("Print errors only", "Warnings are left out too.");
+  AddRow(rows, "--phases", "", Flag(&ProgramOptions::showsPhases))
+    .Of((Runs & ~Plan) | Finalize, Group)
+    .HiddenIn(Runs | Finalize)
+    .Help("Print a longer table: phases of the method",
+          "Cells by the phase that decided them, as in Table 1 of the paper; shapes of elements; seconds of each part. "
+          "The report has all of it.");
   AddRow(rows, "--log-file", "FILE", File(&JobOptions::logFile))
     .Of(Processes, Group)
     .Help("Append one line per step to this file", "Several processes may share it. Lines that are there stay.");

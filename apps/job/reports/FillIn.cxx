@@ -50,6 +50,25 @@ FormatLength(const Json & value)
   return value.is_number() ? FormatShort(value.get<double>()) : "-";
 }
 
+/** A share of 1, or of a second value. */
+std::string
+FormatShareOf(const Values & values)
+{
+  const double all = values.size() > 1 ? GetNumber(*values[1]) : 1.0;
+  return all > 0.0 ? FormatFixed(100.0 * GetNumber(*values.front()) / all, 2) + " %" : "-";
+}
+
+/** A count of voxels as a share of a volume, by its size. */
+std::string
+FormatFilled(const Values & values)
+{
+  const auto volume =
+    std::accumulate(values[1]->begin(), values[1]->end(), 1.0, [](double product, const Json & length) {
+      return product * GetNumber(length);
+    });
+  return FormatFixed(100.0 * GetNumber(*values.front()) / volume, 2) + " %";
+}
+
 /** The largest of them. */
 std::string
 FormatLargest(const Values & values)
@@ -115,11 +134,12 @@ struct Format
   std::string (*make)(const Values &);
 };
 
-const std::array<Format, 17> Formats{ {
+const std::array<Format, 18> Formats{ {
   { "", [](const Values & values) { return FormatPlain(*values.front()); } },
   { "short", FormatLargest },
   { "fixed", [](const Values & values) { return FormatFixed(GetNumber(*values.front()), 2); } },
-  { "percent", [](const Values & values) { return FormatFixed(100.0 * GetNumber(*values.front()), 2) + " %"; } },
+  { "percent", FormatShareOf },
+  { "filled", FormatFilled },
   { "share", FormatShare },
   { "count", FormatCount },
   { "size", [](const Values & values) { return std::to_string(values.front()->size()); } },
