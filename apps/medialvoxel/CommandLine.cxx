@@ -113,7 +113,9 @@ AddOptions(CommandLine & line, CLI::App & app, const CommandRow & command)
     {
       CLI::Option * const option = AddOption(app, row.name, row.unit, row.help, row.value, target);
       option->required(row.IsArgument() && (row.optionalIn & command.command) == 0)
-        ->group((row.hiddenIn & command.command) != 0 ? HiddenGroup : row.group);
+        ->group((row.refusedIn & command.command) != 0  ? HiddenGroup
+                : (row.hiddenIn & command.command) != 0 ? FurtherGroup
+                                                        : row.group);
       line.rows[option] = &row;
       added.push_back(option);
     }
@@ -198,6 +200,7 @@ DefineCommandLine(CommandLine & line)
   auto app =
     std::make_unique<CLI::App>("Medial voxels and vector distances of objects in volumes of any size", "medialvoxel");
   app->set_version_flag("-V,--version", "medialvoxel " + GetVersion());
+  app->set_help_all_flag("--help-all", "Print help with all options and exit");
   app->require_subcommand(1);
   for (const CommandRow & row : ListCommands())
   {

@@ -16,7 +16,6 @@ ARGUMENTS = {
     "distance": ["no.mha", "out.mha"], "info": ["no.mha"], "plan": ["no.mha", "out.mha", "job"],
     "work": ["job"], "finalize": ["job"], "status": ["job"],
 }  # fmt: skip
-HIDDEN = {"extract": ["--raw-spacing X,Y,Z", "--series UID"]}
 RAW = ["--raw-size=2,2,2", "--raw-type=uint8"]
 NEEDS = {
     "--raw-size": RAW[1:], "--raw-type": RAW[:1], "--raw-spacing": RAW, "--raw-header": RAW, "--raw-big-endian": RAW,
@@ -55,10 +54,7 @@ class OptionValueTest(ProgramTestCase):
         self.options = [
             (command["name"], *usage.partition(" ")[::2], option_choices)
             for command in commands
-            for usage, option_choices in [
-                *((option["usage"], option.get("choices")) for option in command["options"]),
-                *((usage, None) for usage in HIDDEN.get(command["name"], [])),
-            ]
+            for usage, option_choices in ((option["usage"], option.get("choices")) for option in command["options"])
             if usage != "-V,--version"
         ]
 

@@ -141,7 +141,7 @@ class UsageTest(ProgramTestCase):
         self.assert_usage(["--max-distance", "'0'"], "distance", "in.mha", "out.mha", "--max-distance", 0)
 
     def test_names_in_any_case(self):
-        raw = ["--raw-size", "24,20,16", "--raw-type", "UINT8"]
+        raw = ["--raw-size", "24X20x16", "--raw-type", "UINT8"]
         self.run_program("extract", "in.raw", "a.mha", *raw, "--thickness", "Auto", "--progress", "None", "--memory", "2GiB")
         self.run_program("extract", "in.mha", "b.mha", "--progress", "none", "--memory", "2gb")
         self.assertEqual((self.folder / "a.mha").read_bytes(), (self.folder / "b.mha").read_bytes())
@@ -193,7 +193,7 @@ class UsageTest(ProgramTestCase):
         self.assert_usage(["--raw-size"], *command, "--raw-type", "uint8")
         for option in (["--raw-spacing", "1,1,1"], ["--raw-header", 4], ["--raw-big-endian"]):
             self.assert_usage(["--raw-size"], *command, *option)
-        for size in ("24,20,x", "24,20,-16", "24,20,0", "24,,16", "1e3,2,2", ""):
+        for size in ("24,20,x", "24x20xx16", "24 x 20 x 16", "24,20,-16", "24,20,0", "24,,16", "1e3,2,2", ""):
             self.assert_usage(["--raw-size"], *command, "--raw-type", "uint8", "--raw-size", size)
         for size in ("24", "24,20,16,1"):
             self.assert_usage(["--raw-size", "2 or 3"], *command, "--raw-type", "uint8", "--raw-size", size)
