@@ -4,6 +4,7 @@
 that names option, value and what is allowed."""
 
 import json
+import re
 import unittest
 
 import volumes
@@ -66,7 +67,7 @@ class OptionValueTest(ProgramTestCase):
     def assert_refused(self, option, value, command):
         """The line has the option, and the value or one of its parts."""
         message = self.run_program(*command, status=USAGE).stderr
-        self.assertTrue(any(f"'{part}'" in message for part in [value, *value.split(",")]), (command, message))
+        self.assertTrue(any(f"'{part}'" in message for part in [value, *re.split("[,x]", value)]), (command, message))
         self.assertIn(option, message, command)
         self.assertIn(f"(see medialvoxel {command[0]} --help)", message)
         self.assertEqual(message.count("\n"), 1, message)
