@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelElementSmoothing.h"
 
+#include "itkMedialVoxelComplexDivision.h"
 #include "itkMedialVoxelSheetVectors.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 
 namespace itk
 {
@@ -18,6 +21,12 @@ using Index = Complex::Index;
 using Vector = MedialVoxelVector3;
 
 constexpr unsigned int Rounds = 4;
+
+/** Vertices of a part. */
+constexpr std::size_t MostOfPart = 512;
+
+/** Of the low sides of cuts: most vertices at cuts are inside parts of another division. */
+constexpr std::array<double, 2> Shares{ { 0.5, 0.4 } };
 
 /** Vertices whose elements all reach it are left alone. */
 constexpr double GoodQuality = 0.8;
@@ -45,6 +54,9 @@ public:
     , m_Fine(fine)
     , m_Elements(elements)
     , m_ElementsOf(complex.GetNumberOfVertices())
+    , m_Parts(complex.GetNumberOfVertices())
+    , m_IsTaken(complex.GetNumberOfVertices())
+    , m_IsSettled(complex.GetNumberOfVertices())
   {
     m_Elements.insert(m_Elements.end(), wanted.begin(), wanted.end());
     for (Index number = 0; number < m_Elements.size(); ++number)
@@ -58,11 +70,34 @@ public:
     }
   }
 
+  /** Divides vertices, and takes from each part the inner ones that no division before has taken. */
+  std::vector<std::vector<Index>>
+  TakeInner(std::vector<std::vector<Index>> parts, const MedialVoxelRunTasks & runTasks)
+  {
+    for (Index part = 0; part < parts.size(); ++part)
+    {
+      for (const Index vertex : parts[part])
+      {
+        m_Parts[vertex] = part;
+      }
+    }
+    runTasks(parts.size(), [&](const std::size_t part, const std::function<void()> & check) {
+      check();
+      const auto isLeft = [this](const Index vertex) { return m_IsTaken[vertex] != 0 || !this->IsInside(vertex); };
+      parts[part].erase(std::remove_if(parts[part].begin(), parts[part].end(), isLeft), parts[part].end());
+      for (const Index vertex : parts[part])
+      {
+        m_IsTaken[vertex] = 1;
+      }
+    });
+    return parts;
+  }
+
   void
   Move(const Index vertex)
   {
-    const double worst = this->GetWorst(vertex);
-    if (worst >= GoodQuality || m_ElementsOf[vertex].empty() || m_Complex.GetPlace(vertex) != Complex::Place::Wall)
+    const double worst = m_IsSettled[vertex] != 0 ? 1.0 : this->GetWorst(vertex);
+    if (worst >= GoodQuality || m_Complex.GetPlace(vertex) != Complex::Place::Wall)
     {
       return;
     }
@@ -74,13 +109,35 @@ public:
       m_Complex.GetVertex(vertex).point = m_Fine.FindOnWall(MedialVoxelAddScaled(old, way, step), wall).point;
       if (this->IsBetter(vertex, worst))
       {
+        this->ForEachNeighbor(vertex, [this](const Index other) { m_IsSettled[other] = 0; });
         return;
       }
     }
     m_Complex.GetVertex(vertex).point = old;
+    m_IsSettled[vertex] = 1;
   }
 
 private:
+  /** Also the vertex itself, and some of them more than once. */
+  template <typename TFunction>
+  void
+  ForEachNeighbor(const Index vertex, const TFunction & function) const
+  {
+    for (const Index number : m_ElementsOf[vertex])
+    {
+      const Element & element = m_Elements[number];
+      std::for_each(element.corners.begin(), element.corners.begin() + element.numberOfCorners, function);
+    }
+  }
+
+  bool
+  IsInside(const Index vertex) const
+  {
+    bool isInside = true;
+    this->ForEachNeighbor(vertex, [&](const Index other) { isInside = isInside && m_Parts[other] == m_Parts[vertex]; });
+    return isInside;
+  }
+
   /** Of the distance of its middle. */
   double
   GetLimit(const Element & element) const
@@ -166,6 +223,9 @@ private:
   std::vector<std::vector<Index>> m_ElementsOf;
   std::vector<double>             m_Qualities;
   std::vector<double>             m_Limits;
+  std::vector<Index>              m_Parts;     ///< of the vertices in the last division
+  std::vector<char>               m_IsTaken;   ///< from a division; bytes, as tasks write them
+  std::vector<char>               m_IsSettled; ///< it cannot move, as long as its neighbors do not
 };
 
 } // namespace
@@ -174,14 +234,31 @@ void
 MedialVoxelSmoothElements(Complex &                    complex,
                           const MedialVoxelFineSheet & fine,
                           const std::vector<Element> & elements,
-                          const std::vector<Element> & wanted)
+                          const std::vector<Element> & wanted,
+                          const MedialVoxelRunTasks &  runTasks)
 {
-  Smoother smoother(complex, fine, elements, wanted);
+  Smoother            smoother(complex, fine, elements, wanted);
+  std::vector<Vector> places;
+  std::vector<Index>  vertices(complex.GetNumberOfVertices());
+  std::iota(vertices.begin(), vertices.end(), Index{ 0 });
+  std::transform(vertices.begin(), vertices.end(), std::back_inserter(places), [&](const Index vertex) {
+    return complex.GetPoint(vertex);
+  });
+  // Lists of one wave have no neighbors in each other. The last one has what is at cuts of all divisions.
+  std::vector<std::vector<std::vector<Index>>> waves;
+  for (const double share : Shares)
+  {
+    waves.push_back(smoother.TakeInner(MedialVoxelDividePlaces(places, vertices, MostOfPart, share), runTasks));
+  }
+  waves.push_back(smoother.TakeInner({ vertices }, runTasks));
   for (unsigned int round = 0; round < Rounds; ++round)
   {
-    for (Index vertex = 0; vertex < complex.GetNumberOfVertices(); ++vertex)
+    for (const auto & lists : waves)
     {
-      smoother.Move(vertex);
+      runTasks(lists.size(), [&](const std::size_t number, const std::function<void()> & check) {
+        check();
+        std::for_each(lists[number].begin(), lists[number].end(), [&](const Index vertex) { smoother.Move(vertex); });
+      });
     }
   }
 }

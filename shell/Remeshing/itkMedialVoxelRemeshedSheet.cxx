@@ -22,9 +22,6 @@ using Vector = MedialVoxelVector3;
 using Complex = MedialVoxelTriangleComplex;
 using Nearest = MedialVoxelSheetTree::Nearest;
 
-/** Triangles of a part at most, so that small sheets have parts for many threads. */
-constexpr std::size_t TrianglesOfPart = 2048;
-
 double
 GetArea(const std::array<Vector, 3> & corners)
 {
@@ -164,16 +161,9 @@ MakeElements(MedialVoxelSheet                    sheet,
              const MedialVoxelRunTasks &         runTasks,
              const std::function<void(double)> & progress)
 {
-  MedialVoxelFineSheet           fine(std::move(sheet), size);
-  const MedialVoxelSheetDivision division = MedialVoxelDivideSheet(fine.GetSheet(), TrianglesOfPart);
-  MedialVoxelRemesher::Parts     parts(division.parts.size());
-  runTasks(parts.size(), [&](const std::size_t number, const std::function<void()> & check) {
-    parts[number] = std::make_unique<MedialVoxelRemesher>(fine, noise, division.parts[number], division.isShared);
-    parts[number]->RunPart([&check](double) { check(); });
-  });
-  MedialVoxelRemesher remesher(fine, noise, parts);
-  parts.clear();
-  remesher.RunWhole(progress);
+  MedialVoxelFineSheet fine(std::move(sheet), size);
+  MedialVoxelRemesher  remesher(fine, noise);
+  remesher.Run(runTasks, progress);
 
   Complex                        complex = remesher.GetComplex();
   MedialVoxelRemeshedSheet       result;
@@ -181,7 +171,7 @@ MakeElements(MedialVoxelSheet                    sheet,
   result.summary.holesClosed = remesher.GetNumberOfHolesClosed();
   result.summary.trianglesLeftOut = remesher.GetNumberLeftOut();
   result.summary.orientationConflicts = MedialVoxelOrientWalls(complex, corners);
-  result.elements = MedialVoxelMakeElements(complex, fine, corners, size.joinsTriangles);
+  result.elements = MedialVoxelMakeElements(complex, fine, corners, size.joinsTriangles, runTasks);
   result.summary.area = GetArea(complex);
   result.summary.wallsLeftOut = MedialVoxelListWallsLeftOut(
     fine.GetSheet(), fine.GetWalls(), complex.FindWallsKept(fine.GetNumberOfWalls()), size.least);
@@ -216,7 +206,7 @@ MedialVoxelRemesh(MedialVoxelSheet                    sheet,
   std::iota(origins.begin(), origins.end(), Index{ 0 });
   if (size.extendsRims)
   {
-    rims = MedialVoxelExtendRims(coarse.sheet, size.measureRimRays, size.rimLimits, origins);
+    rims = MedialVoxelExtendRims(coarse.sheet, size.measureRimRays, size.rimLimits, origins, runTasks);
   }
   // Rims that were extended are straight.
   auto result = MakeElements(std::move(coarse.sheet), size, size.extendsRims ? 0.0 : noise, runTasks, progress);

@@ -4,8 +4,8 @@
 #define itkMedialVoxelRemeshedSheet_h
 
 #include "itkMedialVoxelElementSize.h"
-#include "itkMedialVoxelSheetDivision.h"
 #include "itkMedialVoxelShellElements.h"
+#include "itkMedialVoxelTasks.h"
 #include "itkMedialVoxelWallsLeftOut.h"
 
 #include <functional>

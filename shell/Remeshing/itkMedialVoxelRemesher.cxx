@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace itk
 {
@@ -34,64 +35,27 @@ constexpr double CosineOfBend = 0.87;
 
 constexpr double GoodQuality = 0.3;
 
-/** Rounds of all steps in parts and in the whole, of repairs, and of cleaning. */
-constexpr unsigned int RoundsOfPart = 4;
-constexpr unsigned int RoundsOfWhole = 2;
-constexpr unsigned int RoundsOfRepair = 4;
-constexpr unsigned int RoundsOfCleaning = 3;
 constexpr unsigned int RoundsOfPass = 2;
-
-/** Of the progress. */
-constexpr double ShareOfSteps = 0.8;
 
 } // namespace
 
 void
-MedialVoxelRemesher::RunPart(std::function<void(double)> progress)
+MedialVoxelRemesher::RunPart(const Round & round)
 {
-  m_Progress = std::move(progress);
-  this->RunSteps(RoundsOfPart, false);
-}
-
-void
-MedialVoxelRemesher::RunWhole(std::function<void(double)> progress)
-{
-  m_Progress = std::move(progress);
-  this->RunSteps(RoundsOfWhole, true);
-  for (unsigned int round = 0; round < RoundsOfRepair; ++round)
-  {
-    this->RepairTriangles();
-    this->MoveVertices();
-    this->FlipSides();
-  }
-  for (unsigned int round = 0; round < RoundsOfCleaning; ++round)
-  {
-    this->RepairTriangles();
-    this->CleanUp();
-    if (round + 1 < RoundsOfCleaning)
-    {
-      this->MoveVertices();
-      this->FlipSides();
-    }
-  }
-}
-
-void
-MedialVoxelRemesher::RunSteps(const unsigned int rounds, const bool isWhole)
-{
-  for (unsigned int round = 0; round < rounds; ++round)
+  for (unsigned int k = 0; k < round.steps; ++k)
   {
     this->SplitLongSides();
-    this->CollapseShortSides(isWhole || round > 0);
+    this->CollapseShortSides(round.mergesAtOnce || k > 0);
     this->FlipSides();
     this->MoveVertices();
-    if (isWhole && round == 0)
-    {
-      this->RaiseSizesAtBends();
-    }
     this->FlipSides();
     this->MoveVertices();
-    m_Share = ShareOfSteps * (round + 1) / rounds;
+  }
+  for (unsigned int k = 0; k < round.repairs; ++k)
+  {
+    this->RepairTriangles();
+    this->MoveVertices();
+    this->FlipSides();
   }
 }
 
@@ -101,6 +65,26 @@ MedialVoxelRemesher::Proceed()
   if (++m_Steps % 4096 == 0 && m_Progress)
   {
     m_Progress(m_Share);
+  }
+}
+
+MedialVoxelRemesher::Index
+MedialVoxelRemesher::BeginPass(const Pass pass)
+{
+  m_Touched.resize(m_Complex.GetNumberOfVertices(), m_NumberOfPasses);
+  ++m_NumberOfPasses;
+  return std::exchange(m_LastPasses[static_cast<std::size_t>(pass)], m_NumberOfPasses);
+}
+
+void
+MedialVoxelRemesher::Touch(const std::vector<Index> & triangles)
+{
+  for (const Index triangle : triangles)
+  {
+    for (const Index vertex : m_Complex.GetTriangle(triangle))
+    {
+      m_Touched[vertex] = m_NumberOfPasses;
+    }
   }
 }
 
@@ -172,6 +156,7 @@ MedialVoxelRemesher::IsStuck(const Index a, const Index b) const
 void
 MedialVoxelRemesher::SplitLongSides()
 {
+  m_Touched.resize(m_Complex.GetNumberOfVertices(), m_NumberOfPasses);
   std::vector<Index> halves;
   for (bool found = true; found;)
   {
@@ -190,6 +175,8 @@ MedialVoxelRemesher::SplitLongSides()
         continue;
       }
       const Vector middle = MedialVoxelMiddle(m_Complex.GetPoint(side.a), m_Complex.GetPoint(side.b));
+      this->Touch({ triangles.begin(), triangles.end() });
+      m_Touched.push_back(m_NumberOfPasses);
       m_Complex.Split(side.a, side.b, middle, halves);
       for (Index k = 0; k < triangles.size(); ++k)
       {
@@ -209,13 +196,14 @@ MedialVoxelRemesher::CollapseShortSides(const bool merging)
   {
     bool                      found = false;
     std::vector<LengthOfSide> sides = this->ListSides();
+    const Index               last = this->BeginPass(merging ? Pass::Merge : Pass::Collapse);
     std::stable_sort(sides.begin(), sides.end(), [](const auto & x, const auto & y) { return x.length < y.length; });
     for (const LengthOfSide & side : sides)
     {
       this->Proceed();
       const double size = this->GetSize(side.a, side.b);
-      if (side.length < Short * size && m_Complex.CountTriangles(side.a, side.b) > 0 &&
-          this->GetLength(side.a, side.b) < Short * size)
+      if (side.length < Short * size && std::max(m_Touched[side.a], m_Touched[side.b]) >= last &&
+          m_Complex.CountTriangles(side.a, side.b) > 0 && this->GetLength(side.a, side.b) < Short * size)
       {
         const bool isMerging = merging && this->GetLength(side.a, side.b) < MergingOfSize * size;
         found = this->TryCollapse(side.a, side.b, isMerging) || this->TryCollapse(side.b, side.a, isMerging) || found;
@@ -233,11 +221,12 @@ MedialVoxelRemesher::FlipSides()
 {
   for (unsigned int round = 0; round < RoundsOfPass; ++round)
   {
-    bool found = false;
+    bool        found = false;
+    const Index last = this->BeginPass(Pass::Flip);
     for (const LengthOfSide & side : this->ListSides())
     {
       this->Proceed();
-      found = this->TryFlip(side.a, side.b) || found;
+      found = this->TryFlip(side.a, side.b, last) || found;
     }
     if (!found)
     {
@@ -249,10 +238,11 @@ MedialVoxelRemesher::FlipSides()
 void
 MedialVoxelRemesher::MoveVertices()
 {
+  const Index last = this->BeginPass(Pass::Move);
   for (Index vertex = 0; vertex < m_Complex.GetNumberOfVertices(); ++vertex)
   {
     this->Proceed();
-    if (!m_Complex.GetTrianglesOf(vertex).empty())
+    if (m_Touched[vertex] >= last && !m_Complex.GetTrianglesOf(vertex).empty())
     {
       this->TryMove(vertex, m_Complex.GetPlace(vertex));
     }
@@ -275,7 +265,6 @@ MedialVoxelRemesher::RaiseSizesAtBends()
       m_Witnesses.AppendPoints(triangles[1], points);
     }
   }
-  std::transform(points.begin(), points.end(), points.begin(), [this](const Index point) { return m_Numbers[point]; });
   m_Fine.RaiseSizes(points);
 }
 
@@ -360,16 +349,24 @@ MedialVoxelRemesher::TryCollapse(const Index from, const Index to, const bool me
   {
     return false;
   }
+  this->Touch(step.before);
   m_Complex.Collapse(from, to);
   m_Witnesses.Assign(step.before, step.numbers);
   return true;
 }
 
 bool
-MedialVoxelRemesher::TryFlip(const Index a, const Index b)
+MedialVoxelRemesher::TryFlip(const Index a, const Index b, const Index last)
 {
   const Complex::Indices triangles = m_Complex.FindTriangles(a, b);
-  return triangles.size() == 2 && this->TryPassOver(a, b, m_Complex.GetOpposite(triangles[0], a, b), 0.01);
+  if (triangles.size() != 2)
+  {
+    return false;
+  }
+  const Index c = m_Complex.GetOpposite(triangles[0], a, b);
+  const Index d = m_Complex.GetOpposite(triangles[1], a, b);
+  return std::max({ m_Touched[a], m_Touched[b], m_Touched[c], m_Touched[d] }) >= last &&
+         this->TryPassOver(a, b, c, 0.01);
 }
 
 bool
@@ -417,6 +414,7 @@ MedialVoxelRemesher::TryMoveTo(const Index vertex, const MedialVoxelSheetTree::N
   {
     m_Complex.GetVertex(vertex).size = m_Fine.GetSize(m_Fine.GetNearestPoint(nearest.triangle, nearest.point));
   }
+  this->Touch(step.before);
   m_Complex.GetVertex(vertex).point = nearest.point;
   m_Witnesses.Assign(step.before, step.numbers);
   return true;

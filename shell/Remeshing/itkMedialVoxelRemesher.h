@@ -5,7 +5,7 @@
 
 #include "itkMedialVoxelFineSheet.h"
 #include "itkMedialVoxelSheetWitnesses.h"
-#include "itkMedialVoxelTriangleComplex.h"
+#include "itkMedialVoxelTasks.h"
 
 #include <functional>
 #include <memory>
@@ -16,10 +16,10 @@ namespace itk
 /** \class MedialVoxelRemesher
  * \brief Makes elements of good shape of a coarse sheet, whose sides have the sizes of that.
  *
- * Long sides are cut, short ones are collapsed, sides are flipped and vertices are moved along that sheet, in parts
- * first. Rims stay on rims and junctions on junctions. No such step may leave a point of that sheet, or the middle of a
- * triangle, farther away than 0.08 of the size there (or half a fine side, where that is more); repairs may by half the
- * size. Walls that are narrower than half an element, and bounded by a junction, are closed; others keep their width.
+ * Long sides are cut, short ones are collapsed, sides are flipped and vertices are moved along that sheet. Rims stay on
+ * rims and junctions on junctions. No such step may leave a point of that sheet, or the middle of a triangle, farther
+ * away than 0.08 of the size there (or half a fine side, where that is more); repairs may by half the size. Walls that
+ * are narrower than half an element, and bounded by a junction, are closed; others keep their width.
  * \ingroup MedialVoxel
  */
 class MedialVoxelRemesher
@@ -30,33 +30,19 @@ public:
   using Triangle = Complex::Triangle;
   using Point = Complex::Point;
 
-  using Parts = std::vector<std::unique_ptr<MedialVoxelRemesher>>;
-
-  /** Of a part of the fine sheet.
-   * \param fine      stays as long as this
-   * \param noise     by how much the fine sheet may be off anywhere: steps keep this distance to it at least
-   * \param triangles of the part
-   * \param isShared  of each point of the fine sheet, whether it stays where it is, as other parts have it, too */
-  MedialVoxelRemesher(MedialVoxelFineSheet &     fine,
-                      double                     noise,
-                      const std::vector<Index> & triangles,
-                      const std::vector<bool> &  isShared);
-
-  /** Of the whole, whose parts are done apart. */
-  MedialVoxelRemesher(MedialVoxelFineSheet & fine, double noise, const Parts & parts);
+  /** \param fine  stays as long as this
+   * \param noise by how much the fine sheet may be off anywhere: steps keep this distance to it at least */
+  MedialVoxelRemesher(MedialVoxelFineSheet & fine, double noise);
 
   MedialVoxelRemesher(const MedialVoxelRemesher &) = delete;
   MedialVoxelRemesher &
   operator=(const MedialVoxelRemesher &) = delete;
 
-  /** Brings the sides of a part to their sizes.
+  /** Does all steps, part by part, in several divisions, so that what parts share in one is inside a part in another.
+   * The result does not depend on the order of the parts.
    * \param progress called often with the share that is done; may throw to stop */
   void
-  RunPart(std::function<void(double)> progress);
-
-  /** Brings the sides that parts share to their sizes, and rids the sheet of triangles of bad shape. */
-  void
-  RunWhole(std::function<void(double)> progress);
+  Run(const MedialVoxelRunTasks & runTasks, std::function<void(double)> progress);
 
   const Complex &
   GetComplex() const
@@ -79,6 +65,35 @@ public:
   }
 
 private:
+  using Parts = std::vector<std::unique_ptr<MedialVoxelRemesher>>;
+
+  /** What is done in the parts of one division, and then in the whole. */
+  struct Round
+  {
+    std::size_t  most;         ///< triangles of a part
+    double       share;        ///< on the low side of cuts
+    unsigned int steps;        ///< rounds of all steps
+    bool         mergesAtOnce; ///< whether lines may become one in the first of these
+    unsigned int repairs;      ///< rounds of repairs
+    bool         raisesSizes;  ///< at bends, afterwards
+    bool         cleans;       ///< afterwards
+  };
+
+  /** Of a part of the whole.
+   * \param isShared of each vertex, whether it stays where it is, as other parts have it, too */
+  MedialVoxelRemesher(const MedialVoxelRemesher & whole,
+                      const std::vector<Index> &  triangles,
+                      const std::vector<bool> &   isShared);
+
+  void
+  RunParts(const Round & round);
+  void
+  RunPart(const Round & round);
+
+  /** Takes the complex and the points of the parts in place of its own. */
+  void
+  Join(const Parts & parts);
+
   /** What triangles of the complex are to become. */
   struct Step
   {
@@ -114,7 +129,9 @@ private:
   void
   CleanUp();
   std::vector<Index>
-  ListBad();
+  ListBelow(double limit, const std::function<double(Index)> & getValue) const;
+  std::vector<Index>
+  ListBad() const;
   void
   CloseSlits();
   void
@@ -123,7 +140,7 @@ private:
   bool
   TryCollapse(Index from, Index to, bool merging);
   bool
-  TryFlip(Index a, Index b);
+  TryFlip(Index a, Index b, Index last);
   bool
   TryMove(Index vertex, Complex::Place kind);
   bool
@@ -181,8 +198,6 @@ private:
   std::vector<Index>
   Apply(const Step & step);
 
-  void
-  RunSteps(unsigned int rounds, bool isWhole);
   bool
   IsStuck(Index a, Index b) const;
   bool
@@ -222,6 +237,24 @@ private:
   double
   GetQuality(Index triangle) const;
 
+  /** Passes that try the same with each side, or vertex, again. */
+  enum class Pass : std::uint8_t
+  {
+    Collapse,
+    Merge,
+    Flip,
+    Move
+  };
+
+  /** Begins a pass.
+   * \return when the last one of this kind began: what no step has touched since then is as it was when it failed */
+  Index
+  BeginPass(Pass pass);
+
+  /** Marks vertices of triangles that a step changes. */
+  void
+  Touch(const std::vector<Index> & triangles);
+
   struct LengthOfSide
   {
     double length;
@@ -235,12 +268,17 @@ private:
   Proceed();
 
   MedialVoxelFineSheet &      m_Fine;
+  MedialVoxelRunTasks         m_RunTasks{ MedialVoxelRunInOrder };
   std::function<void(double)> m_Progress;
-  std::vector<Point>          m_Given;   ///< points of the fine sheet
-  std::vector<Index>          m_Numbers; ///< of these in the fine sheet
+  std::vector<Point>          m_Given;        ///< points of the fine sheet
+  std::vector<Index>          m_NumbersGiven; ///< of these in the whole, of which this is a part
+  std::vector<Index>          m_Numbers;      ///< of the first vertices in the whole
   Complex                     m_Complex;
   MedialVoxelSheetWitnesses   m_Witnesses;
   double                      m_Noise;
+  std::vector<Index>          m_Touched; ///< of each vertex, the last pass in which its triangles changed
+  Index                       m_NumberOfPasses{ 0 };
+  std::array<Index, 4>        m_LastPasses{}; ///< of each kind
   bool                        m_HasShared{ false };
   std::uint64_t               m_HolesClosed{ 0 };
   std::uint64_t               m_LeftOut{ 0 };

@@ -79,22 +79,9 @@ MedialVoxelRemesher::CleanUp()
 
 /** Worst first. */
 std::vector<Index>
-MedialVoxelRemesher::ListBad()
+MedialVoxelRemesher::ListBad() const
 {
-  std::vector<std::pair<double, Index>> bad;
-  for (Index triangle = 0; triangle < m_Complex.GetNumberOfTriangles(); ++triangle)
-  {
-    this->Proceed();
-    const double badness = m_Complex.IsTriangle(triangle) ? this->GetBadness(triangle) : 0.0;
-    if (badness > 0.0)
-    {
-      bad.emplace_back(-badness, triangle);
-    }
-  }
-  std::sort(bad.begin(), bad.end());
-  std::vector<Index> triangles(bad.size());
-  std::transform(bad.begin(), bad.end(), triangles.begin(), [](const auto & entry) { return entry.second; });
-  return triangles;
+  return this->ListBelow(0.0, [this](const Index triangle) { return -this->GetBadness(triangle); });
 }
 
 /** Whether a triangle is no more than a point or a line beside others. */

@@ -13,6 +13,7 @@ namespace itk
 namespace
 {
 
+using Index = MedialVoxelTriangleComplex::Index;
 using Place = MedialVoxelTriangleComplex::Place;
 
 constexpr double WantedQuality = 0.45;
@@ -27,23 +28,38 @@ constexpr double ShiftOfSide = 0.15;
 void
 MedialVoxelRemesher::RepairTriangles()
 {
-  std::vector<std::pair<double, Index>> low;
-  for (Index triangle = 0; triangle < m_Complex.GetNumberOfTriangles(); ++triangle)
-  {
-    if (m_Complex.IsTriangle(triangle) && this->GetQuality(triangle) < WantedQuality)
-    {
-      low.emplace_back(this->GetQuality(triangle), triangle);
-    }
-  }
-  std::sort(low.begin(), low.end());
-  for (const auto & entry : low)
+  m_Touched.resize(m_Complex.GetNumberOfVertices(), m_NumberOfPasses);
+  const auto getQuality = [this](const Index triangle) { return this->GetQuality(triangle); };
+  for (const Index triangle : this->ListBelow(WantedQuality, getQuality))
   {
     this->Proceed();
-    if (m_Complex.IsTriangle(entry.second) && this->GetQuality(entry.second) < WantedQuality)
+    if (m_Complex.IsTriangle(triangle) && this->GetQuality(triangle) < WantedQuality)
     {
-      this->TryRepair(entry.second);
+      this->TryRepair(triangle);
     }
   }
+}
+
+/** Triangles whose value is below a limit, lowest first. */
+std::vector<Index>
+MedialVoxelRemesher::ListBelow(const double limit, const std::function<double(Index)> & getValue) const
+{
+  std::vector<double> values(m_Complex.GetNumberOfTriangles());
+  MedialVoxelForEach(m_RunTasks, values.size(), [&](const std::size_t number) {
+    const auto triangle = static_cast<Index>(number);
+    values[number] = m_Complex.IsTriangle(triangle) ? getValue(triangle) : limit;
+  });
+  std::vector<Index> triangles;
+  for (Index triangle = 0; triangle < values.size(); ++triangle)
+  {
+    if (values[triangle] < limit)
+    {
+      triangles.push_back(triangle);
+    }
+  }
+  std::stable_sort(
+    triangles.begin(), triangles.end(), [&](const Index a, const Index b) { return values[a] < values[b]; });
+  return triangles;
 }
 
 bool
@@ -69,6 +85,7 @@ MedialVoxelRemesher::TryRepair(const Index triangle)
     const Step step = this->MakeCollapse(from, to);
     if (!step.after.empty() && this->Allows(step, { size / 2, 0.5, WantedQuality, LeastGain }))
     {
+      this->Touch(step.before);
       m_Complex.Collapse(from, to);
       m_Witnesses.Assign(step.before, step.numbers);
       return true;
@@ -108,8 +125,8 @@ bool
 MedialVoxelRemesher::TryPassOver(const Index a, const Index b, const Index c, const double improvement)
 {
   const Complex::Indices triangles = m_Complex.FindTriangles(a, b);
-  const Place            place = m_Complex.GetPlace(c);
-  if ((triangles.size() != 2 && place != Place::Wall) || (m_Complex.IsShared(a) && m_Complex.IsShared(b)))
+  if ((m_Complex.IsShared(a) && m_Complex.IsShared(b)) ||
+      (triangles.size() != 2 && m_Complex.GetPlace(c) != Place::Wall))
   {
     return false;
   }
@@ -119,6 +136,7 @@ MedialVoxelRemesher::TryPassOver(const Index a, const Index b, const Index c, co
   {
     return false;
   }
+  this->Touch(step.before);
   const std::vector<Index> numbers = this->Apply(step);
   m_Witnesses.Assign(step.before, numbers);
   return true;

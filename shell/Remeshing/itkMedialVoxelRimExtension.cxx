@@ -7,6 +7,7 @@
 #include "itkMedialVoxelSymmetricEquations.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <numeric>
@@ -65,10 +66,14 @@ Scaled(const Vector & vector, const double factor)
 class RimExtender
 {
 public:
-  RimExtender(MedialVoxelSheet & sheet, const MedialVoxelMeasureRimRays & measure, const MedialVoxelRimLimits & limits)
+  RimExtender(MedialVoxelSheet &                sheet,
+              const MedialVoxelMeasureRimRays & measure,
+              const MedialVoxelRimLimits &      limits,
+              const MedialVoxelRunTasks &       runTasks)
     : m_Sheet(sheet)
     , m_Limits(limits)
-    , m_Lines(sheet, measure)
+    , m_RunTasks(runTasks)
+    , m_Lines(sheet, measure, runTasks)
     , m_Shifts(sheet.points.size())
     , m_Across(sheet.points.size())
     , m_IsCut(sheet.points.size())
@@ -228,8 +233,7 @@ private:
   KeepClear()
   {
     const MedialVoxelSheetTree tree(m_Sheet.points, m_Sheet.triangles, std::vector<Index>(m_Sheet.triangles.size(), 0));
-    for (Index point = 0; point < m_Lines.GetNumberOfPoints(); ++point)
-    {
+    this->ForEachPoint([&](const Index point) {
       double share = 1.0;
       for (const Vector & shift : this->ListWays(point))
       {
@@ -242,7 +246,16 @@ private:
       {
         this->Shorten(point, std::max(0.0, share));
       }
-    }
+    });
+  }
+
+  /** Calls function(point), which may change what belongs to it alone. */
+  template <typename TFunction>
+  void
+  ForEachPoint(const TFunction & function) const
+  {
+    MedialVoxelForEach(
+      m_RunTasks, m_Lines.GetNumberOfPoints(), [&](const std::size_t point) { function(static_cast<Index>(point)); });
   }
 
   /** The way of a point, and at an outer corner those across each of its rims, where strips go on, too. */
@@ -293,7 +306,7 @@ private:
   {
     m_Shifts[point] = Scaled(m_Shifts[point], share);
     m_Across[point] *= share;
-    m_IsCut[point] = true;
+    m_IsCut[point] = 1;
   }
 
   /** Shortens what is added where a strip would turn over. */
@@ -336,15 +349,14 @@ private:
   void
   KeepApart()
   {
-    bool found = true;
+    std::atomic<bool> found{ true };
     for (unsigned int round = 0; round < MostRounds && found; ++round)
     {
       const MedialVoxelSheet     candidate = this->MakeCandidate();
       const MedialVoxelSheetTree tree(
         candidate.points, candidate.triangles, std::vector<Index>(candidate.triangles.size(), 0));
       found = false;
-      for (Index point = 0; point < m_Lines.GetNumberOfPoints(); ++point)
-      {
+      this->ForEachPoint([&](const Index point) {
         if (m_Across[point] > 0.0)
         {
           const double gap = GapOfThickness * m_Lines.FindThickness(point);
@@ -356,7 +368,7 @@ private:
             this->Shorten(point, round + 1 < MostRounds ? ShareLeft : 0.0);
           }
         }
-      }
+      });
     }
   }
 
@@ -407,7 +419,7 @@ private:
         continue;
       }
       m_Sheet.thickness[point] = m_Lines.FindThickness(point);
-      m_Summary.cutBack += m_IsCut[point] ? 1 : 0;
+      m_Summary.cutBack += m_IsCut[point] != 0 ? 1 : 0;
       m_Summary.length += m_Across[point] / static_cast<double>(m_Summary.points);
       m_Summary.longest = std::max(m_Summary.longest, m_Across[point]);
       const Vector place = MedialVoxelAddScaled(m_Lines.PointOf(point), m_Shifts[point], 1.0);
@@ -451,11 +463,12 @@ private:
 
   MedialVoxelSheet &             m_Sheet;
   const MedialVoxelRimLimits &   m_Limits;
+  const MedialVoxelRunTasks &    m_RunTasks;
   MedialVoxelRimLines            m_Lines;
   std::vector<Vector>            m_Shifts; ///< of the points of rims
   std::vector<double>            m_Across; ///< the same across the rims
-  std::vector<bool>              m_IsCut;
-  std::vector<Index>             m_Twins; ///< of points that go to one corner: one of them; else themselves
+  std::vector<char>              m_IsCut;  ///< bytes, as tasks write them
+  std::vector<Index>             m_Twins;  ///< of points that go to one corner: one of them; else themselves
   MedialVoxelRimExtensionSummary m_Summary;
 };
 
@@ -480,10 +493,11 @@ MedialVoxelRimExtensionSummary
 MedialVoxelExtendRims(MedialVoxelSheet &                sheet,
                       const MedialVoxelMeasureRimRays & measure,
                       const MedialVoxelRimLimits &      limits,
-                      std::vector<std::uint32_t> &      origins)
+                      std::vector<std::uint32_t> &      origins,
+                      const MedialVoxelRunTasks &       runTasks)
 {
   assert(sheet.thickness.size() == sheet.points.size());
-  return RimExtender(sheet, measure, limits).Run(origins);
+  return RimExtender(sheet, measure, limits, runTasks).Run(origins);
 }
 
 } // end namespace itk

@@ -4,6 +4,7 @@
 #define itkMedialVoxelRimExtension_h
 
 #include "itkMedialVoxelSheet.h"
+#include "itkMedialVoxelTasks.h"
 
 #include <functional>
 
@@ -18,7 +19,8 @@ struct MedialVoxelRimRays
   double                          most{ 0 };   ///< that a ray may be long, units of the points
 };
 
-/** The length of each ray to where it first leaves the part; not finite: it starts outside, or is longer. */
+/** The length of each ray to where it first leaves the part; not finite: it starts outside, or is longer. Several
+ * threads may call it. */
 using MedialVoxelMeasureRimRays = std::function<std::vector<double>(const MedialVoxelRimRays & rays)>;
 
 /** A plane that rims are not carried on beyond: what is inside has products with the normal up to the limit. */
@@ -55,12 +57,14 @@ struct MedialVoxelRimExtensionSummary
  * \param sheet   without triangles of one place, of triangles about as long as the walls are thick, or half as long
  * \param measure may be empty: no surface is known
  * \param limits  of the volume, beyond which nothing is known
- * \param origins of each point of the result, the number of the one it was carried on from, or its own */
+ * \param origins of each point of the result, the number of the one it was carried on from, or its own
+ * \param runTasks does rims, which are the same for any order */
 MedialVoxelRimExtensionSummary
 MedialVoxelExtendRims(MedialVoxelSheet &                sheet,
                       const MedialVoxelMeasureRimRays & measure,
                       const MedialVoxelRimLimits &      limits,
-                      std::vector<std::uint32_t> &      origins);
+                      std::vector<std::uint32_t> &      origins,
+                      const MedialVoxelRunTasks &       runTasks);
 
 } // end namespace itk
 

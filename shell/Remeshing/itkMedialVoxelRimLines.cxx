@@ -41,16 +41,30 @@ GetMedian(std::vector<double> & values)
 
 } // namespace
 
-MedialVoxelRimLines::MedialVoxelRimLines(const MedialVoxelSheet & sheet, const MedialVoxelMeasureRimRays & measure)
+MedialVoxelRimLines::MedialVoxelRimLines(const MedialVoxelSheet &          sheet,
+                                         const MedialVoxelMeasureRimRays & measure,
+                                         const MedialVoxelRunTasks &       runTasks)
   : m_Sheet(sheet)
   , m_Measure(measure)
   , m_Sides(MedialVoxelSortSides(sheet.triangles))
   , m_SidesOf(sheet.points.size())
 {
   this->FindRims();
-  this->FindWalls();
-  this->FindLines();
-  this->FindEdges();
+  const auto forEach = [&](const auto & find) {
+    MedialVoxelForEach(runTasks, m_Rims.size(), [&](const std::size_t number) { find(number); });
+  };
+  forEach([this](const std::size_t number) { this->FindWall(m_Rims[number]); });
+  forEach([this](const std::size_t number) { this->FindLine(number); });
+  forEach([this](const std::size_t number) {
+    RimSide & side = m_Rims[number];
+    side.length = m_Measure && IsKnown(side.thickness) ? this->MeasureLength(side) : 0.0;
+  });
+  for (RimSide & side : m_Rims)
+  {
+    m_Summary.withoutSurface += side.length > 0.0 ? 0 : 1;
+    side.length = side.length > 0.0 ? side.length : side.thickness / 2.0;
+  }
+  forEach([this](const std::size_t number) { this->FindEdge(number); });
 }
 
 void
@@ -111,54 +125,48 @@ MedialVoxelRimLines::FindNear(const RimSide & side, const double distance) const
 }
 
 void
-MedialVoxelRimLines::FindWalls()
+MedialVoxelRimLines::FindWall(RimSide & side) const
 {
-  for (RimSide & side : m_Rims)
+  double most = 0.0;
+  for (const Index point : m_Sheet.triangles[side.triangle])
   {
-    double most = 0.0;
-    for (const Index point : m_Sheet.triangles[side.triangle])
+    most = IsKnown(m_Sheet.thickness[point]) ? std::max<double>(most, m_Sheet.thickness[point]) : most;
+  }
+  const Vector        own = MedialVoxelTriangleNormal(this->CornersOf(m_Sheet.triangles[side.triangle]));
+  std::vector<double> inside;
+  for (const Index triangle : this->FindNear(side, most))
+  {
+    const Vector normal = MedialVoxelTriangleNormal(this->CornersOf(m_Sheet.triangles[triangle]));
+    side.normal = MedialVoxelAddScaled(side.normal, normal, MedialVoxelDot(normal, own) < 0.0 ? -1.0 : 1.0);
+    for (const Index point : m_Sheet.triangles[triangle])
     {
-      most = IsKnown(m_Sheet.thickness[point]) ? std::max<double>(most, m_Sheet.thickness[point]) : most;
-    }
-    const Vector        own = MedialVoxelTriangleNormal(this->CornersOf(m_Sheet.triangles[side.triangle]));
-    std::vector<double> inside;
-    for (const Index triangle : this->FindNear(side, most))
-    {
-      const Vector normal = MedialVoxelTriangleNormal(this->CornersOf(m_Sheet.triangles[triangle]));
-      side.normal = MedialVoxelAddScaled(side.normal, normal, MedialVoxelDot(normal, own) < 0.0 ? -1.0 : 1.0);
-      for (const Index point : m_Sheet.triangles[triangle])
+      if (m_SidesOf[point].empty() && IsKnown(m_Sheet.thickness[point]))
       {
-        if (m_SidesOf[point].empty() && IsKnown(m_Sheet.thickness[point]))
-        {
-          inside.push_back(m_Sheet.thickness[point]);
-        }
+        inside.push_back(m_Sheet.thickness[point]);
       }
     }
-    side.normal = MedialVoxelNormalized(side.normal);
-    side.thickness = inside.empty() ? most : GetMedian(inside);
   }
+  side.normal = MedialVoxelNormalized(side.normal);
+  side.thickness = inside.empty() ? most : GetMedian(inside);
 }
 
 void
-MedialVoxelRimLines::FindLines()
+MedialVoxelRimLines::FindLine(const std::size_t number)
 {
-  for (std::size_t number = 0; number < m_Rims.size(); ++number)
+  Vector along{};
+  this->FollowLine(number, FollowedOfThickness, [&](const RimSide & side, const bool turns) {
+    along = MedialVoxelAddScaled(
+      along, MedialVoxelSubtract(this->PointOf(side.b), this->PointOf(side.a)), turns ? -1.0 : 1.0);
+  });
+  RimSide & side = m_Rims[number];
+  side.outward = MedialVoxelNormalized(MedialVoxelCross(along, side.normal));
+  const Triangle & corners = m_Sheet.triangles[side.triangle];
+  for (const Index point : corners)
   {
-    Vector along{};
-    this->FollowLine(number, FollowedOfThickness, [&](const RimSide & side, const bool turns) {
-      along = MedialVoxelAddScaled(
-        along, MedialVoxelSubtract(this->PointOf(side.b), this->PointOf(side.a)), turns ? -1.0 : 1.0);
-    });
-    RimSide & side = m_Rims[number];
-    side.outward = MedialVoxelNormalized(MedialVoxelCross(along, side.normal));
-    const Triangle & corners = m_Sheet.triangles[side.triangle];
-    for (const Index point : corners)
+    if (point != side.a && point != side.b &&
+        MedialVoxelDot(MedialVoxelSubtract(this->PointOf(point), this->MiddleOf(side)), side.outward) > 0.0)
     {
-      if (point != side.a && point != side.b &&
-          MedialVoxelDot(MedialVoxelSubtract(this->PointOf(point), this->MiddleOf(side)), side.outward) > 0.0)
-      {
-        side.outward = MedialVoxelAddScaled({}, side.outward, -1.0);
-      }
+      side.outward = MedialVoxelAddScaled({}, side.outward, -1.0);
     }
   }
 }
@@ -187,29 +195,17 @@ MedialVoxelRimLines::MeasureLength(const RimSide & side) const
 }
 
 void
-MedialVoxelRimLines::FindEdges()
+MedialVoxelRimLines::FindEdge(const std::size_t number)
 {
-  for (RimSide & side : m_Rims)
-  {
-    side.length = m_Measure && IsKnown(side.thickness) ? this->MeasureLength(side) : 0.0;
-    if (!(side.length > 0.0))
-    {
-      side.length = side.thickness / 2.0;
-      ++m_Summary.withoutSurface;
-    }
-  }
-  for (std::size_t number = 0; number < m_Rims.size(); ++number)
-  {
-    RimSide & own = m_Rims[number];
-    double    sum = 0.0;
-    double    weights = 0.0;
-    this->FollowLine(number, FollowedOfThickness, [&](const RimSide & side, bool) {
-      const double weight = MedialVoxelNorm(MedialVoxelSubtract(this->PointOf(side.b), this->PointOf(side.a)));
-      sum += weight * (MedialVoxelDot(this->MiddleOf(side), own.outward) + side.length);
-      weights += weight;
-    });
-    own.edge = weights > 0.0 ? sum / weights : 0.0;
-  }
+  RimSide & own = m_Rims[number];
+  double    sum = 0.0;
+  double    weights = 0.0;
+  this->FollowLine(number, FollowedOfThickness, [&](const RimSide & side, bool) {
+    const double weight = MedialVoxelNorm(MedialVoxelSubtract(this->PointOf(side.b), this->PointOf(side.a)));
+    sum += weight * (MedialVoxelDot(this->MiddleOf(side), own.outward) + side.length);
+    weights += weight;
+  });
+  own.edge = weights > 0.0 ? sum / weights : 0.0;
 }
 
 double

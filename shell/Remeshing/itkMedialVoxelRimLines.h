@@ -41,7 +41,9 @@ public:
 
   /** \param sheet   stays as long as this; points and triangles may be added
    * \param measure stays as long as this */
-  MedialVoxelRimLines(const MedialVoxelSheet & sheet, const MedialVoxelMeasureRimRays & measure);
+  MedialVoxelRimLines(const MedialVoxelSheet &          sheet,
+                      const MedialVoxelMeasureRimRays & measure,
+                      const MedialVoxelRunTasks &       runTasks);
 
   const std::vector<RimSide> &
   GetSides() const
@@ -152,20 +154,21 @@ private:
   std::vector<Index>
   FindNear(const RimSide & side, double distance) const;
 
-  /** Normals and thickness, from about as far inside as the wall is thick. */
+  /** The normal and the thickness, from about as far inside as the wall is thick. */
   void
-  FindWalls();
+  FindWall(RimSide & side) const;
 
+  /** Outward, as a mean along its straight line. */
   void
-  FindLines();
+  FindLine(std::size_t number);
 
-  /** To the surface from a bundle of rays, whose median the steps of voxels hardly change. */
+  /** To the surface from a bundle of rays, whose median the steps of voxels hardly change; 0: none is found. */
   double
   MeasureLength(const RimSide & side) const;
 
-  /** Where the edges of the part are, as a mean along straight lines. */
+  /** Where the edge of the part is, as a mean along the straight line. */
   void
-  FindEdges();
+  FindEdge(std::size_t number);
 
   const MedialVoxelSheet &              m_Sheet;
   const MedialVoxelMeasureRimRays &     m_Measure;

@@ -284,20 +284,21 @@ std::vector<MedialVoxelShellElement>
 MedialVoxelMakeElements(Complex &                     complex,
                         const MedialVoxelFineSheet &  fine,
                         const std::vector<Triangle> & corners,
-                        const bool                    joins)
+                        const bool                    joins,
+                        const MedialVoxelRunTasks &   runTasks)
 {
   assert(corners.size() == complex.GetNumberOfTriangles());
   Joiner joiner(complex, corners);
   for (unsigned int round = 0; joins && round < Rounds; ++round)
   {
     joiner.Join();
-    MedialVoxelSmoothElements(complex, fine, joiner.ListElements(), joiner.ListWanted());
+    MedialVoxelSmoothElements(complex, fine, joiner.ListElements(), joiner.ListWanted(), runTasks);
   }
   std::vector<MedialVoxelShellElement> elements = joiner.ListElements();
   for (std::size_t step = 1; joins && step < QualitySteps.size(); ++step)
   {
     MedialVoxelJoinLoneTriangles(complex, fine, QualitySteps[step], elements);
-    MedialVoxelSmoothElements(complex, fine, elements, {});
+    MedialVoxelSmoothElements(complex, fine, elements, {}, runTasks);
   }
   MarkSides(elements);
   return elements;

@@ -5,6 +5,7 @@
 
 #include "itkMedialVoxelElementQuality.h"
 #include "itkMedialVoxelFineSheet.h"
+#include "itkMedialVoxelTasks.h"
 #include "itkMedialVoxelTriangleComplex.h"
 
 namespace itk
@@ -47,12 +48,14 @@ MedialVoxelShellQuality(const MedialVoxelTriangleComplex & complex, const Medial
  * first. Vertices inside walls move to where elements are better, and let more of them be joined.
  * \param fine    the sheet that vertices stay on
  * \param corners as MedialVoxelOrientWalls() has left them
- * \param joins   false: all stay as they are */
+ * \param joins   false: all stay as they are
+ * \param runTasks does parts of the work, which are the same for any order */
 std::vector<MedialVoxelShellElement>
 MedialVoxelMakeElements(MedialVoxelTriangleComplex &                              complex,
                         const MedialVoxelFineSheet &                              fine,
                         const std::vector<MedialVoxelTriangleComplex::Triangle> & corners,
-                        bool                                                      joins);
+                        bool                                                      joins,
+                        const MedialVoxelRunTasks &                               runTasks);
 
 } // end namespace itk
 

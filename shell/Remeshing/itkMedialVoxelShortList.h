@@ -43,7 +43,9 @@ public:
   {
     const std::ptrdiff_t offset = place - this->begin();
     this->push_back(element);
-    std::rotate(this->begin() + offset, this->end() - 1, this->end());
+    TElement * const begin = this->begin();
+    std::copy_backward(begin + offset, begin + m_Size - 1, begin + m_Size);
+    begin[offset] = element;
   }
 
   std::size_t

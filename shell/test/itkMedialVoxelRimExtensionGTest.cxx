@@ -85,7 +85,7 @@ Extend(itk::MedialVoxelSheet &                sheet,
 {
   const std::size_t          before = sheet.points.size();
   std::vector<std::uint32_t> origins;
-  const auto                 summary = itk::MedialVoxelExtendRims(sheet, measure, limits, origins);
+  const auto                 summary = itk::MedialVoxelExtendRims(sheet, measure, limits, origins, itk::MedialVoxelRunInOrder);
   EXPECT_EQ(origins.size(), sheet.points.size());
   EXPECT_EQ(sheet.thickness.size(), sheet.points.size());
   for (std::size_t point = 0; point < origins.size(); ++point)
@@ -324,7 +324,7 @@ TEST(MedialVoxelRimExtension, GapsMakeNoSpikes)
   }
   sheet.thickness.resize(sheet.points.size(), std::numeric_limits<float>::quiet_NaN()); // of that wall
   std::vector<std::uint32_t> origins;
-  const auto                 summary = itk::MedialVoxelExtendRims(sheet, {}, {}, origins);
+  const auto                 summary = itk::MedialVoxelExtendRims(sheet, {}, {}, origins, itk::MedialVoxelRunInOrder);
   EXPECT_GT(summary.cutBack, 0u);
   std::array<double, 16> added{};
   for (std::size_t point = 0; point < origins.size(); ++point)

@@ -206,7 +206,7 @@ TEST(MedialVoxelShellElements, TrianglesBecomeQuadrilaterals)
   }
   std::vector<Complex::Triangle> corners;
   ASSERT_EQ(itk::MedialVoxelOrientWalls(complex, corners), 0u);
-  const auto elements = itk::MedialVoxelMakeElements(complex, fine, corners, true);
+  const auto elements = itk::MedialVoxelMakeElements(complex, fine, corners, true, itk::MedialVoxelRunInOrder);
   const auto triangles = std::count_if(
     elements.begin(), elements.end(), [](const Element & element) { return element.numberOfCorners == 3; });
   EXPECT_LE(triangles, static_cast<long>(elements.size()) / 20);

@@ -80,14 +80,14 @@ RimRays::RimRays(itk::MedialVoxelObjectSource &   input,
 {}
 
 std::vector<double>
-RimRays::Measure(const itk::MedialVoxelRimRays & rays)
+RimRays::Measure(const itk::MedialVoxelRimRays & rays) const
 {
-  this->Read(this->FindBox(rays));
+  const Window        window = this->Read(this->FindBox(rays));
   const Vector        step = this->ToIndexStep(AddScaled({}, rays.direction, m_Step));
   std::vector<double> lengths;
   for (const Vector & start : rays.starts)
   {
-    lengths.push_back(m_Step * this->MeasureRay(this->ToIndex(start), step, rays.most / m_Step));
+    lengths.push_back(m_Step * this->MeasureRay(window, this->ToIndex(start), step, rays.most / m_Step));
   }
   return lengths;
 }
@@ -124,39 +124,46 @@ RimRays::FindBox(const itk::MedialVoxelRimRays & rays) const
   return box;
 }
 
-void
-RimRays::Read(const itk::MedialVoxelBox & box)
+RimRays::Window
+RimRays::Read(const itk::MedialVoxelBox & box) const
 {
+  Window                  window;
   itk::MedialVoxelTargets targets;
-  m_Object.Reshape(box);
-  targets.object = &m_Object;
+  window.object.Reshape(box);
+  targets.object = &window.object;
   if (m_Range)
   {
-    m_Gray.Frame(box, box);
-    targets.gray = &m_Gray;
+    window.gray.Frame(box, box);
+    targets.gray = &window.gray;
+  }
+  std::unique_lock<std::mutex> lock(m_Reading, std::defer_lock);
+  if (m_Input.GetSourceThreads() != itk::MedialVoxelSourceThreads::Several)
+  {
+    lock.lock();
   }
   m_Input.Fill(box, targets);
+  return window;
 }
 
 double
-RimRays::GetMargin(const itk::MedialVoxelIndex & voxel) const
+RimRays::GetMargin(const Window & window, const itk::MedialVoxelIndex & voxel) const
 {
   itk::MedialVoxelIndex inside = voxel;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     inside[axis] = std::clamp<std::int64_t>(voxel[axis], 0, m_Size[axis] - 1);
   }
-  double margin = m_Object.Test(inside) ? 0.5 : -0.5;
+  double margin = window.object.Test(inside) ? 0.5 : -0.5;
   if (m_Range)
   {
-    const double value = m_Gray.Get(inside);
+    const double value = window.gray.Get(inside);
     margin = std::min(value - m_Range->lower, m_Range->upper - value);
   }
   return inside == voxel ? margin : -std::abs(margin);
 }
 
 double
-RimRays::Interpolate(const Vector & index) const
+RimRays::Interpolate(const Window & window, const Vector & index) const
 {
   itk::MedialVoxelIndex low;
   Vector                share;
@@ -176,19 +183,19 @@ RimRays::Interpolate(const Vector & index) const
       voxel[axis] += isHigh ? 1 : 0;
       weight *= isHigh ? share[axis] : 1.0 - share[axis];
     }
-    sum += weight > 0.0 ? weight * this->GetMargin(voxel) : 0.0;
+    sum += weight > 0.0 ? weight * this->GetMargin(window, voxel) : 0.0;
   }
   return sum;
 }
 
 /** \return its length in steps, infinite when it starts outside or is longer */
 double
-RimRays::MeasureRay(const Vector & start, const Vector & step, const double steps) const
+RimRays::MeasureRay(const Window & window, const Vector & start, const Vector & step, const double steps) const
 {
-  double before = this->Interpolate(start);
+  double before = this->Interpolate(window, start);
   for (double way = 0.0; before >= 0.0 && way < steps; way += 1.0)
   {
-    const double after = this->Interpolate(AddScaled(start, step, way + 1.0));
+    const double after = this->Interpolate(window, AddScaled(start, step, way + 1.0));
     if (after < 0.0)
     {
       return way + before / (before - after);

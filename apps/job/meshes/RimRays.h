@@ -10,6 +10,7 @@
 #include "itkMedialVoxelRimExtension.h"
 #include "itkMedialVoxelSurfaceConsumer.h"
 
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -38,10 +39,17 @@ public:
 
   /** As itk::MedialVoxelMeasureRimRays */
   std::vector<double>
-  Measure(const itk::MedialVoxelRimRays & rays);
+  Measure(const itk::MedialVoxelRimRays & rays) const;
 
 private:
   using Vector = std::array<double, 3>;
+
+  /** Voxels around rays. */
+  struct Window
+  {
+    itk::MedialVoxelBits object;
+    itk::MedialVoxelGray gray;
+  };
 
   Vector
   ToIndex(const Vector & point) const;
@@ -52,16 +60,16 @@ private:
   itk::MedialVoxelBox
   FindBox(const itk::MedialVoxelRimRays & rays) const;
 
-  void
-  Read(const itk::MedialVoxelBox & box);
+  Window
+  Read(const itk::MedialVoxelBox & box) const;
 
   /** How far a value is within the range: not negative in the part. */
   double
-  GetMargin(const itk::MedialVoxelIndex & voxel) const;
+  GetMargin(const Window & window, const itk::MedialVoxelIndex & voxel) const;
   double
-  Interpolate(const Vector & index) const;
+  Interpolate(const Window & window, const Vector & index) const;
   double
-  MeasureRay(const Vector & start, const Vector & step, double steps) const;
+  MeasureRay(const Window & window, const Vector & start, const Vector & step, double steps) const;
 
   itk::MedialVoxelObjectSource & m_Input;
   itk::MedialVoxelIndex          m_Size;
@@ -69,8 +77,7 @@ private:
   std::array<Vector, 3>          m_ToIndex{}; ///< row by row, from physical vectors to steps of the index
   double                         m_Step;      ///< of rays, physical
   std::optional<GrayRange>       m_Range;
-  itk::MedialVoxelBits           m_Object;
-  itk::MedialVoxelGray           m_Gray;
+  mutable std::mutex             m_Reading; ///< of sources that are read by one thread at a time
 };
 
 } // end namespace medialvoxel
