@@ -118,7 +118,7 @@ SUMMARY = {"distance": "distance", "classification": "classification", "reading 
 
 
 def parse_summary(text):
-    """Seconds of the phases and peak memory out of the table that the program prints. Its report would have them too,
+    """Seconds of the phases and peak memory out of the long table that the program prints. Its report would have them too,
     but it comes with a survey of the thickness that costs as much as a quarter of the run."""
     found = {}
     for line in text.splitlines():
@@ -148,7 +148,7 @@ class Extraction:
     def __init__(self, program, volume, size, thickness, threads):
         self.output = volume.with_name(f"labels-{threads}.mha")
         self.report = volume.with_name(f"report-{threads}.json")
-        self.command = [program, "extract", str(volume), str(self.output), "--raw-size", size, "--raw-type", "uint8"]
+        self.command = [program, "extract", str(volume), str(self.output), "--raw-size", size, "--raw-type", "uint8", "--phases"]
         self.command += ["--thickness", str(thickness), "--threads", str(threads), "--progress", "none", "--overwrite"]
 
     def __call__(self):

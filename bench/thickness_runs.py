@@ -29,7 +29,8 @@ class Program:
 
     def __init__(self, build, scratch):
         self.path, self.scratch = common.find_program(build, "medialvoxel"), scratch
-        self.options = subprocess.run([self.path, "extract", "--help"], capture_output=True, text=True, check=True).stdout
+        helps = (subprocess.run([self.path, "extract", word], capture_output=True, text=True).stdout for word in ("--help-all", "--help"))
+        self.options = next(filter(None, helps))  # programs of earlier commits have only the second
 
     def knows(self, option):
         return option in self.options

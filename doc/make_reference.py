@@ -86,6 +86,9 @@ def describe_option(option):
     return " ".join(filter(None, (sentence(text), option["details"])))
 
 
+FURTHER = "Further options"  # that --help-all shows
+
+
 def shared_options(catalog):
     """Options that at least three commands have with the same text, with these commands."""
     commands = {}
@@ -101,26 +104,27 @@ def make_commands(catalog):
     parts = [
         NOTICE,
         "# Commands and options\n",
-        "After this page you know every option of the program. `medialvoxel COMMAND --help` prints the short form, and\n"
-        "`man medialvoxel-COMMAND` this text. The first of several choices is the default.\n",
+        "After this page you know every option of the program. `medialvoxel COMMAND --help` prints the options that most users need,\n"
+        "`--help-all` further ones too, and `man medialvoxel-COMMAND` this text. The first of several choices is the default.\n",
         table(["command", "what it does"], [[f"[{c['name']}](#{c['name']})", c["description"]] for c in catalog["commands"]]),
         "Write `--lower 72` or `--lower=72`. Choices may be in upper or lower case. Options that would have no effect are refused.\n"
-        "An option is given once. The value of a flag stands behind an equals sign: `--sub-voxel=off`. It is `true`, `on`, `yes` or\n"
-        "`1`, or `false`, `off`, `no` or `0`; without a value it is `true`.\n",
+        "An option is given once. The value of a flag is `true`, `on` or `yes`, or `false`, `off` or `no`: `--sub-voxel off`, or\n"
+        "`--sub-voxel=off`; behind an equals sign also `1` or `0`. Without a value it is `true`. Lengths are in units of the spacing, and\n"
+        "may have a unit: `2mm` is 2, and `3vx` is three times the smallest spacing.\n",
     ]
     for command in catalog["commands"]:
         arguments = " ".join(argument["usage"] for argument in command["arguments"])
         parts.append(f"## {command['name']}\n\n{sentence(command['description'])}\n")
         parts.append(f"    medialvoxel {command['name']} {arguments} [OPTION...]\n")
-        rows = [[f"`{a['usage']}`", describe_option(a)] for a in command["arguments"]]
+        rows = {False: [[f"`{a['usage']}`", describe_option(a)] for a in command["arguments"]], True: []}
         others = []
         for option in command["options"]:
             text = describe_option(option)
             if (option["group"], option["usage"], text) in shared:
                 others.append(option["usage"].split()[0])
             else:
-                rows.append([f"`{option['usage']}`", text])
-        parts.append(table(["argument or option", "meaning"], rows))
+                rows[option["group"] == FURTHER].append([f"`{option['usage']}`", text])
+        parts += [table([title, "meaning"], rows[few]) for few, title in ((False, "argument or option"), (True, "further option")) if rows[few]]
         if others:
             names = ", ".join(f"`{name}`" for name in others)
             parts.append(f"[Shared options](#shared-options): {names}.\n")

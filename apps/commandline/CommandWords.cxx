@@ -20,6 +20,13 @@ FindOption(const CLI::App & command, const std::string & word)
   return word.compare(0, 2, "--") == 0 ? command.get_option_no_throw(word.substr(0, word.find('='))) : nullptr;
 }
 
+/** Whether a word is the value of the flag before it. 0 and 1 are not: files have these names. */
+bool
+IsWordOfFlag(const std::string & word)
+{
+  return word != "0" && word != "1" && ParseFlag(word);
+}
+
 std::vector<std::string>
 CompleteWords(const CLI::App & command, const std::vector<std::string> & words)
 {
@@ -58,7 +65,7 @@ CompleteWords(const CLI::App & command, const std::vector<std::string> & words)
     }
     else if (!HasValue(*option))
     {
-      complete.emplace_back("true");
+      complete.push_back(hasNext && IsWordOfFlag(words[i + 1]) ? words[++i] : "true");
     }
     else if (!hasNext || FindOption(command, words[i + 1]) != nullptr)
     {
@@ -107,20 +114,6 @@ ParseWords(CLI::App & app, std::vector<std::string> words)
   reversed.insert(reversed.end(), words.begin(), words.end());
   std::reverse(reversed.begin(), reversed.end());
   app.parse(std::move(reversed));
-}
-
-std::string
-SuggestEqualsSign(const CLI::App & command, const std::vector<std::string> & words)
-{
-  for (std::size_t i = 0; i + 1 < words.size(); ++i)
-  {
-    const CLI::Option * const option = FindOption(command, words[i]);
-    if (option != nullptr && !HasValue(*option) && words[i].find('=') == std::string::npos && ParseFlag(words[i + 1]))
-    {
-      return "; did you mean " + words[i] + "=" + words[i + 1] + "?";
-    }
-  }
-  return "";
 }
 
 } // end namespace medialvoxel

@@ -22,10 +22,6 @@ FindCommand(const CLI::App & app, const std::vector<std::string> & words);
 void
 ParseWords(CLI::App & app, std::vector<std::string> words);
 
-/** "; did you mean --sub-voxel=off?" where the word behind a flag is one that belongs behind its equals sign. */
-std::string
-SuggestEqualsSign(const CLI::App & command, const std::vector<std::string> & words);
-
 } // end namespace medialvoxel
 
 #endif

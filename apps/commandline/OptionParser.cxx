@@ -13,10 +13,14 @@ AddOption(CLI::App &           app,
           const OptionValue &  value,
           const OptionTarget & target)
 {
-  const auto parse = [name, set = value.set, target](const CLI::results_t & results) {
+  const auto parse = [name, value, target](const CLI::results_t & results) {
     try
     {
-      set(target, results.front());
+      // How long a voxel is, is known when the volume is.
+      if (!value.isLength || !HasVoxels(results.front()))
+      {
+        value.set(target, value.isLength ? ReplaceUnits(results.front(), 1.0) : results.front());
+      }
     }
     catch (const WrongValue & error)
     {

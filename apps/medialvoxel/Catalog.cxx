@@ -36,7 +36,9 @@ ListFunctions(const OptionRow & row)
 Json
 DescribeOption(const CommandLine & line, const CLI::Option & option)
 {
-  Json                             json{ { "usage", GetUsage(option) },
+  const bool                       isOptional = option.get_positional() && !option.get_required();
+  const std::string                usage = GetUsage(option);
+  Json                             json{ { "usage", isOptional ? "[" + usage + "]" : usage },
                                          { "group", option.get_group() },
                                          { "description", option.get_description() },
                                          { "details", GetDetails(line, option) } };
@@ -64,7 +66,7 @@ DescribeCommand(const CommandLine & line, const CLI::App & command)
   {
     for (const CLI::Option * const option : GetOptions(command, positional))
     {
-      if (option != command.get_help_ptr())
+      if (option != command.get_help_ptr() && option != command.get_help_all_ptr())
       {
         json[positional ? "arguments" : "options"].push_back(DescribeOption(line, *option));
       }

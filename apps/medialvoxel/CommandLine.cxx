@@ -6,8 +6,12 @@
 #include "CommandText.h"
 #include "Errors.h"
 #include "OptionParser.h"
+#include "ReadVolumeHeader.h"
+#include "Text.h"
 #include "MeshFormat.h"
 #include "Version.h"
+
+#include <algorithm>
 
 namespace medialvoxel
 {
@@ -107,7 +111,10 @@ AddOptions(CommandLine & line, CLI::App & app, const CommandRow & command)
     if ((row.commands & command.command) != 0)
     {
       CLI::Option * const option = AddOption(app, row.name, row.unit, row.help, row.value, target);
-      option->required(row.IsArgument())->group((row.hiddenIn & command.command) != 0 ? HiddenGroup : row.group);
+      option->required(row.IsArgument() && (row.optionalIn & command.command) == 0)
+        ->group((row.refusedIn & command.command) != 0  ? HiddenGroup
+                : (row.hiddenIn & command.command) != 0 ? FurtherGroup
+                                                        : row.group);
       line.rows[option] = &row;
       added.push_back(option);
     }
@@ -157,6 +164,33 @@ CompleteJobs(CommandLine & line)
   line.finalizeOptions.jobFolder = line.program.jobFolder;
 }
 
+/** Sets the lengths in voxels, the smallest spacing, which the volume tells. */
+void
+SetLengthsInVoxels(const CommandLine & line, const CLI::App & app, const OptionTarget & target)
+{
+  for (const CLI::Option * const option : app.get_options())
+  {
+    const OptionRow * const row = FindRow(line, *option);
+    if (!row || option->count() == 0 || !row->value.isLength || !HasVoxels(option->results().front()))
+    {
+      continue;
+    }
+    const JobOptions & options = *std::get<JobOptions *>(target);
+    const bool         hasSheets = (row->commands & Commands::Distance) == 0;
+    const auto         header = hasSheets ? ReadSheetInputHeader(options) : ReadInputHeader(options);
+    const auto &       spacing = header.geometry.spacing;
+    const double       voxel = options.voxelUnits ? 1.0 : *std::min_element(spacing.begin(), spacing.end());
+    try
+    {
+      row->value.set(target, ReplaceUnits(option->results().front(), voxel));
+    }
+    catch (const WrongValue & error)
+    {
+      Fail(ExitStatus::Usage, row->name, ": ", error.what());
+    }
+  }
+}
+
 } // namespace
 
 std::unique_ptr<CLI::App>
@@ -164,7 +198,8 @@ DefineCommandLine(CommandLine & line)
 {
   auto app =
     std::make_unique<CLI::App>("Medial voxels and vector distances of objects in volumes of any size", "medialvoxel");
-  app->set_version_flag("--version", "medialvoxel " + GetVersion());
+  app->set_version_flag("-V,--version", "medialvoxel " + GetVersion());
+  app->set_help_all_flag("--help-all", "Print help with all options and exit");
   app->require_subcommand(1);
   for (const CommandRow & row : ListCommands())
   {
@@ -188,6 +223,10 @@ DefineCommandLine(CommandLine & line)
 void
 CompleteCommandLine(CommandLine & line)
 {
+  for (const CommandRow & command : ListCommands())
+  {
+    SetLengthsInVoxels(line, *(line.*command.app), command.getTarget(line));
+  }
   CompleteElements(*line.extract, line.extractOptions);
   CompleteElements(*line.mesh, line.meshOptions);
   CompleteJobs(line);

@@ -4,6 +4,8 @@
 
 #include "OptionParser.h"
 
+#include <algorithm>
+
 namespace medialvoxel
 {
 
@@ -35,13 +37,15 @@ GetDetails(const CommandLine & line, const CLI::Option & option)
   return row ? row->details : "";
 }
 
-/** Positional arguments, or the others, in the order of their definition, without hidden ones. */
 Options
 GetOptions(const CLI::App & app, bool positional)
 {
-  return app.get_options([positional](const CLI::Option * option) {
+  Options options = app.get_options([positional](const CLI::Option * option) {
     return option->get_positional() == positional && option->get_group() != HiddenGroup;
   });
+  std::stable_partition(
+    options.begin(), options.end(), [](const CLI::Option * option) { return option->get_group() != FurtherGroup; });
+  return options;
 }
 
 /** "--threads N". */

@@ -11,8 +11,11 @@
 namespace medialvoxel
 {
 
-/** The group of hidden options; the parser has no name for options in no group. */
+/** The group of options that no text names; the parser has no name for options in no group. */
 constexpr const char * HiddenGroup = "hidden";
+
+/** The group of options that few need: --help leaves them out. */
+constexpr const char * FurtherGroup = "Further options";
 
 using Options = std::vector<const CLI::Option *>;
 
@@ -32,7 +35,7 @@ GetChoices(const CommandLine & line, const CLI::Option & option);
 std::string
 GetDetails(const CommandLine & line, const CLI::Option & option);
 
-/** Positional arguments, or the others, in the order of their definition. */
+/** Positional arguments, or the others, in the order of their definition; further options at the end. */
 Options
 GetOptions(const CLI::App & app, bool positional);
 

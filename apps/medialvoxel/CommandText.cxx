@@ -51,7 +51,7 @@ GetSynopsis(const CLI::App & app)
   std::string text = app.get_parent() ? "medialvoxel " + app.get_name() : "medialvoxel COMMAND";
   for (const CLI::Option * const argument : GetOptions(app, true))
   {
-    text += " " + argument->get_name(true);
+    text += argument->get_required() ? " " + argument->get_name(true) : " [" + argument->get_name(true) + "]";
   }
   for (const CLI::Option * const option : GetOptions(app, false))
   {
@@ -70,7 +70,7 @@ public:
   {}
 
   std::string
-  make_help(const CLI::App * app, std::string, CLI::AppFormatMode) const override
+  make_help(const CLI::App * app, std::string, CLI::AppFormatMode mode) const override
   {
     std::string text = app->get_description() + "\nUsage: " + GetSynopsis(*app) + "\n";
     for (const CLI::App * const command : GetCommands(*app))
@@ -83,11 +83,15 @@ public:
     }
     text += "Options (the first of several choices is the default):\n";
     std::string group = "Options";
+    bool        leavesOut = false;
     for (const CLI::Option * const option : GetOptions(*app, false))
     {
-      if (option == app->get_help_ptr())
+      const bool isFurther = option->get_group() == FurtherGroup;
+      leavesOut |= isFurther;
+      if (option == app->get_help_ptr() || option == app->get_help_all_ptr() ||
+          (isFurther && mode != CLI::AppFormatMode::All))
       {
-        continue; // who reads this knows it
+        continue; // who reads this knows it, or needs it rarely
       }
       if (option->get_group() != group)
       {
@@ -101,7 +105,10 @@ public:
     {
       text += "  " + CLI::detail::find_and_replace(example, "\n", "\n  ") + "\n";
     }
-    return text + (app->get_footer().empty() ? "" : app->get_footer() + "\n");
+    text += app->get_footer().empty() ? "" : app->get_footer() + "\n";
+    return text + (leavesOut && mode != CLI::AppFormatMode::All
+                     ? "More options: medialvoxel " + app->get_name() + " --help-all\n"
+                     : "");
   }
 
 private:

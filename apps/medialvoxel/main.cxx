@@ -8,6 +8,7 @@
 #include "Log.h"
 #include "ObjectPlan.h"
 #include "OptionChecks.h"
+#include "OtherNames.h"
 #include "Plan.h"
 #include "Program.h"
 #include "ReadVolumeHeader.h"
@@ -82,7 +83,7 @@ PrintResult(const CommandLine & line, const JobOptions & options, const JobResul
   }
   else if (!line.program.quiet)
   {
-    PrintTable(std::cout, MakeTable(table, result.report));
+    PrintTable(std::cout, MakeTable(table | (line.program.showsPhases ? LongTable : 0U), result.report));
   }
 }
 
@@ -351,18 +352,16 @@ RunCommand(const CommandLine & line, const std::string & command)
   return ExitStatus::Done;
 }
 
-/** The present name of an option with a former name; empty: no option had the name. */
-std::string
-FindNewName(const std::string & name)
+/** "help" and "help COMMAND" as the options of this name. */
+std::vector<std::string>
+ReplaceHelp(std::vector<std::string> words)
 {
-  for (const OptionRow & row : ListOptions())
+  if (!words.empty() && words.front() == "help")
   {
-    if (row.formerName == name)
-    {
-      return row.name;
-    }
+    words.erase(words.begin());
+    words.emplace_back("--help");
   }
-  return "";
+  return words;
 }
 
 /** The word typed in place of a command, or the option that the command lacks, with the name that was probably meant;
@@ -389,21 +388,26 @@ DescribeUnknownName(const CLI::App & app, const std::vector<std::string> & words
     }
     return "'" + words.front() + "' is not a command" + SuggestName(words.front(), names);
   }
-  for (const CLI::Option * const option : GetOptions(*command, false))
+  for (const CLI::Option * const option : command->get_options())
   {
-    names.push_back(option->get_name());
+    names.push_back(option->get_positional() ? option->get_name(true) : option->get_name());
   }
   for (const std::string & word : words)
   {
     const std::string name = word.substr(0, word.find('='));
     if (name.size() > 2 && name.compare(0, 2, "--") == 0 && !command->get_option_no_throw(name))
     {
-      const std::string newName = FindNewName(name);
-      return newName.empty() ? "'" + name + "' is not an option of " + words.front() + SuggestName(name, names)
-                             : name + " is now " + newName;
+      return DescribeUnknownOption(name, words.front(), names);
     }
   }
   return "";
+}
+
+/** The end of a message on wrong usage. */
+std::string
+PointToHelp(const CLI::App * command)
+{
+  return std::string(" (see medialvoxel ") + (command != nullptr ? command->get_name() + " " : "") + "--help)";
 }
 
 /** Help and version are results, other ends of the parsing are errors. */
@@ -419,12 +423,8 @@ ReportParsing(const CLI::App & app, const std::vector<std::string> & words, cons
   if (message.empty())
   {
     message = error.what();
-    message += command != nullptr && error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)
-                 ? SuggestEqualsSign(*command, words)
-                 : "";
   }
-  std::cerr << "medialvoxel: " << itk::MedialVoxelText::MakePrintable(message) << " (see medialvoxel "
-            << (command != nullptr ? command->get_name() + " " : "") << "--help)" << std::endl;
+  std::cerr << "medialvoxel: " << itk::MedialVoxelText::MakePrintable(message) << PointToHelp(command) << std::endl;
   return static_cast<int>(ExitStatus::Usage);
 }
 
@@ -451,7 +451,7 @@ main(int argc, char * argv[])
   return RunProgram("medialvoxel", [&] {
     CommandLine                    line;
     const auto                     app = DefineCommandLine(line);
-    const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+    const std::vector<std::string> words = ReplaceHelp({ argv + std::min(argc, 1), argv + argc });
     try
     {
       ParseWords(*app, words);
@@ -465,16 +465,17 @@ main(int argc, char * argv[])
       WriteCommandTexts(line, *app);
       return static_cast<int>(ExitStatus::Done);
     }
-    CompleteCommandLine(line);
     try
     {
+      CompleteCommandLine(line);
       return static_cast<int>(RunCommand(line, JoinCommand(argc, argv)));
     }
     catch (const JobError & error)
     {
-      const bool isUsage = error.GetStatus() == ExitStatus::Usage;
+      const CLI::App & command = *app->get_subcommands().front();
+      const bool       isUsage = error.GetStatus() == ExitStatus::Usage;
       throw JobError(error.GetStatus(),
-                     isUsage ? NameOption(*app->get_subcommands().front(), error.what()) : error.what());
+                     isUsage ? NameOption(command, error.what()) + PointToHelp(&command) : error.what());
     }
   });
 }

@@ -144,6 +144,21 @@ class HtmlTest(ProgramTestCase):
             RUN.sub("", self.page("--lower", 72)), RUN.sub("", self.page("--lower", 72, "--preview", "p.png"))
         )
 
+    def test_page_and_picture_without_labels(self):
+        """They are those of a run with labels, and nothing else is left in the folder."""
+        outputs = ["--lower", 50, "--html", "a.html", "--preview", "a.png"]
+        self.run_program("extract", "in.mha", "out.mha", *outputs)
+        with_labels = [RUN.sub("", (self.folder / "a.html").read_text()), (self.folder / "a.png").read_bytes()]
+        for name in ("out.mha", "a.html", "a.png"):
+            (self.folder / name).unlink()
+        before = {path.name for path in self.folder.iterdir()}
+        self.run_program("extract", "in.mha", *outputs)
+        self.assertEqual({path.name for path in self.folder.iterdir()} - before, {"a.html", "a.png"})
+        page = (self.folder / "a.html").read_text()
+        self.assertEqual(RUN.sub("", page).replace("extract in.mha", "extract in.mha out.mha"), with_labels[0])
+        self.assertEqual((self.folder / "a.png").read_bytes(), with_labels[1])
+        self.run_program("extract", "in.mha", "--labels", "all", "--html", "b.html", "--preview", "b.png")
+
     def test_division_and_threads_do_not_change_it(self):
         whole = RUN.sub("", self.page("--lower", 72, "--threads", 1))
         self.assertEqual(RUN.sub("", self.page("--lower", 72, "--threads", 4, "--divisions", 7)), whole)

@@ -67,8 +67,8 @@ class PoresTest(ProgramTestCase):
             self.assertEqual(report["parameters"]["max_pore_size"], size)
             self.assertEqual(report["counts"]["filled_voxels"], self.filled if size else 0)
         table = self.run_program("extract", "in.mha", "l.mha", "--overwrite", "--smooth", "off").stdout
-        self.assertRegex(table, rf"pores +{self.filled} voxels, taken as object\n")
-        self.assertRegex(table, rf"dust +{self.removed} voxels, taken as background\n")
+        self.assertRegex(table, rf"decided .*, pores of {self.filled} voxels filled")
+        self.assertRegex(table, rf"decided .*, dust of {self.removed} voxels left out\n")
         self.assertNotIn("dust", self.run_program("extract", "clean.mha", "l.mha", "--overwrite").stdout)
 
     def test_divisions_threads_and_memory(self):

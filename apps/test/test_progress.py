@@ -53,7 +53,7 @@ class ProgressTest(ProgramTestCase):
         self.assertEqual(lines[0]["start"], "medialvoxel")
         self.assertIn("end", lines[-1])
         self.assert_fractions([line["progress"] for line in lines[1:-1]])
-        self.assertTrue(out.startswith("resolution"))
+        self.assertTrue(out.startswith("object"))
 
     def test_styles_that_say_nothing_in_short_runs(self):
         for style in ("plain", "none", "auto"):

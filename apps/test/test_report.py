@@ -32,6 +32,7 @@ KEYS = [
     "roughness",
     "measure",
     "thickness",
+    "share_without_sheet",
     "warnings",
     *RUN_KEYS,
 ]
@@ -136,7 +137,7 @@ class ReportTest(ProgramTestCase):
             self.assertEqual(report["parameters"]["max_thickness"], 16)
             labels[name] = (self.folder / "out.mha").read_bytes()
         self.assertEqual(len(set(labels.values())), 1)
-        self.assertRegex(self.run_program("extract", "in.mha", "out.mha", "--overwrite").stdout, r"tau +auto\n")
+        self.assertRegex(self.run_program("extract", "in.mha", "out.mha", "--overwrite", "--phases").stdout, r"tau +auto\n")
         self.run_program("extract", "in.mha", "out.mha", "--overwrite", "--report", "r.json", "--min-thickness", 9)
         self.assertEqual(json.loads((self.folder / "r.json").read_text())["parameters"]["min_thickness"], 9)
 
@@ -160,20 +161,33 @@ class ReportTest(ProgramTestCase):
             histogram = thickness["histogram"]
             self.assertEqual(sum(histogram["areas"]) + histogram["above"], thickness["area"])
             self.assertEqual(histogram["areas"].index(thickness["area"]) * histogram["bin_width"], 4 * unit)
-            self.assertRegex(table, r"wall thickness +mean [42], median [42]")
+            self.assertRegex(table, r"walls +thinnest [42], 5 %: [42], median [42], 95 %: [42], thickest [42], in .*, by area\n")
+            self.assertAlmostEqual(report["share_without_sheet"], 1 - 39 * 39 / (40 * 40))
+            self.assertRegex(table, r"no wall +4.94 % of the object")
 
     def test_table(self):
-        report, table = self.report("--lower", 72)
-        rows = dict(line.strip().split("  ", 1) for line in table.splitlines())
-        rows = {name: value.strip() for name, value in rows.items()}
-        self.assertEqual(rows["resolution"], "24 x 20 x 16")
-        self.assertEqual(rows["tau"], "3 units of the spacing")
-        self.assertEqual(rows["object voxels"], str(report["counts"]["object_voxels"]))
-        self.assertEqual(rows["medial cells"], str(report["counts"]["medial_cells"]))
-        self.assertEqual(rows["pseudo"], f"{report['percent']['pseudo']:.2f} %")
-        self.assertEqual(rows["labels"], "out.mha")
-        for name in ("distance", "classification", "total", "peak memory"):
-            self.assertIn(name, rows)
+        """A few lines without words of the paper; --phases has them beside."""
+        report, table = self.report("--lower", 72, "--thin-below", 3)
+        long = self.report("--lower", 72, "--thin-below", 3, "--phases")[1]
+        rows, long_rows = (
+            {line.split("  ")[0] or line.split("  ")[1]: line.split("  ")[-1].strip() for line in text.splitlines()} for text in (table, long)
+        )
+        share = 100 * report["counts"]["object_voxels"] / (24 * 20 * 16)
+        self.assertEqual(rows["object"], f"{report['counts']['object_voxels']} voxels, {share:.2f} % of 24 x 20 x 16")
+        self.assertEqual(list(rows), ["object", "walls", "measured", "thin places", "no wall", "decided", "files", "run"])
+        self.assertLessEqual(len(table.splitlines()), 10)
+        self.assertRegex(table, r"thin places +[0-9]+, area .* below 3, .* % of the sheet")
+        self.assertEqual(rows["files"], "out.mha, r.json")
+        self.assertRegex(rows["run"], r"\d+\.\d\d s with \d+ threads?, [0-9.]+ MiB of memory")
+        for word in ("tau", "pseudo", "correct", "geodesic", "trivial", "candidate", "bound"):
+            self.assertNotRegex(table, rf"\b{word}\b")
+            self.assertRegex(long, rf"\b{word}\b")
+        self.assertEqual(long_rows["tau"], "3 units of the spacing")
+        self.assertEqual(long_rows["medial cells"], str(report["counts"]["medial_cells"]))
+        self.assertEqual(long_rows["pseudo"], f"{report['percent']['pseudo']:.2f} %")
+        for name in (*rows, "distance", "classification", "total", "peak memory"):
+            self.assertIn(name, long_rows)
+        self.assertLessEqual(len(self.run_program("distance", "in.mha", "v.mha").stdout.splitlines()), 10)
 
     def test_quiet(self):
         self.assertEqual(self.extract("in.mha", "out.mha", "--quiet").stdout, "")
@@ -203,7 +217,7 @@ class ReportTest(ProgramTestCase):
     def test_report_of_distance(self):
         self.run_program("distance", "in.mha", "v.mha", "--lower", 72, "--report", "r.json", "--max-distance", 5)
         report = json.loads((self.folder / "r.json").read_text())
-        self.assertEqual(list(report), [key for key in KEYS if key not in ("percent", "smoothed", "roughness", "measure", "thickness")])
+        self.assertEqual(list(report), [key for key in KEYS if key not in ("percent", "smoothed", "roughness", "measure", "thickness", "share_without_sheet")])
         self.assertEqual(report["parameters"]["max_distance"], 5)
         self.assertEqual(report["parameters"]["boundary"], "object")
 

@@ -166,7 +166,7 @@ class SmoothingTest(ProgramTestCase):
         self.assertEqual(report["roughness"]["rough_voxels"], 0)
         self.assertEqual(found, self.run_extract("clean.mha", "--lower", 1100, "--smooth", "off")[0])
         table = self.run_program("extract", "in.mha", "out.mha", "--lower", 1100, "--overwrite").stdout
-        self.assertRegex(table, rf"smoothed +yes, roughness {100 * rough / border:.2f} %\n")
+        self.assertRegex(table, rf"decided +smoothed \(roughness {100 * rough / border:.2f} %\)")
 
     def test_defaults(self):
         volumes.write_meta(self.folder / "in.mha", self.volume)

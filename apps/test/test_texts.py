@@ -10,6 +10,7 @@ import unittest
 
 from program import ProgramTestCase
 
+MOST_OPTIONS_OF_EXTRACT, MOST_OPTIONS = 30, 48  # that the help shows
 VOLUME_COMMANDS = ("extract", "mesh", "surface", "distance", "info", "plan")
 COMMANDS = (*VOLUME_COMMANDS[:-1], "plan", "work", "finalize", "status")
 
@@ -19,12 +20,12 @@ class TextsTest(ProgramTestCase):
         super().setUp()
         self.run_program("generate", ".")
 
-    def help(self, *command):
-        return self.run_program(*command, "--help").stdout
+    def help(self, *command, all=False):
+        return self.run_program(*command, "--help-all" if all else "--help").stdout
 
-    def options(self, *command):
-        """Names of the options that the parser itself knows, with what they take."""
-        found = re.findall(r"^  ((?:-h,)?--[a-z-]+)(?: ([A-Z][A-Z,]*))?  ", self.help(*command), re.MULTILINE)
+    def options(self, *command, all=True):
+        """Names of the options that the help shows, with what they take."""
+        found = re.findall(r"^  ((?:-h,)?--[a-z-]+)(?: ([A-Z][A-Z,]*))?  ", self.help(*command, all=all), re.MULTILINE)
         return {name.split(",")[-1]: value for name, value in found}
 
     def complete(self, *words):
@@ -46,6 +47,23 @@ class TextsTest(ProgramTestCase):
             self.assertEqual(sum(line.startswith("  medialvoxel ") for line in lines), 2, command)
         self.assertNotIn("generate", self.help())
 
+    def test_help_shows_what_users_need(self):
+        """Not more options than a reader takes in; all of them are asked for, and are apart in manuals."""
+        self.assertLessEqual(len(self.options("extract", all=False)), MOST_OPTIONS_OF_EXTRACT)
+        shown = {name for command in COMMANDS for name in self.options(command, all=False)}
+        self.assertLessEqual(len(shown), MOST_OPTIONS)
+        self.assertEqual(list(self.options("extract", all=False))[:4], ["--lower", "--upper", "--label", "--labels"])
+        self.assertIn("DICOM", self.help("extract"))
+        for command in COMMANDS:
+            text, few, many = self.help(command, all=True), self.options(command, all=False), self.options(command)
+            self.assertTrue(set(few) <= set(many))
+            page = (self.folder / f"medialvoxel-{command}.1").read_text().replace("\\-", "-")
+            self.assertEqual("More options: " in self.help(command), len(few) < len(many))
+            for name in set(many) - set(few):
+                for place, heading in ((text, "Further options:\n"), (page, ".SS Further options\n")):
+                    self.assertRegex(place.split(heading)[1], rf"{name}\b")
+                    self.assertNotRegex(place.split(heading)[0], rf"\n(\.B|  ) ?{name}\b")
+
     def test_examples_of_the_help_are_accepted(self):
         for command in COMMANDS:
             text = self.help(command).replace("\\\n", " ")
@@ -61,15 +79,15 @@ class TextsTest(ProgramTestCase):
             page = (self.folder / f"medialvoxel-{command}.1").read_text().replace("\\-", "-")
             in_bash = re.search(rf"^    {command}\)\n      options='(.*)'", bash, re.MULTILINE)[1].split()
             in_zsh = re.search(rf"^    {command}\)\n(.*?);;", zsh, re.MULTILINE | re.DOTALL)[1]
-            self.assertEqual(set(in_bash), set(options) | {"-h", "--help"})
+            self.assertEqual(set(in_bash), set(options) | {"-h", "--help", "--help-all"})
             for name, value in options.items():
                 self.assertRegex(page, rf"\n\.B (-h,)?{name}( {value})?\n")
                 self.assertIn(f"'{name}=[" if value else f"'{name}[", in_zsh)
 
     def test_bash_completes(self):
         self.assertEqual(self.complete("ex"), ["extract"])
-        self.assertEqual(self.complete(""), [*COMMANDS, "-h", "--help", "--version"])
-        self.assertEqual(self.complete("extract", "--th"), ["--thickness", "--thickness-map", "--thickness-csv", "--thin-below", "--thick-above", "--threads"])
+        self.assertEqual(self.complete(""), [*COMMANDS, "-h", "--help", "-V", "--version", "--help-all"])
+        self.assertEqual(self.complete("extract", "--th"), ["--thin-below", "--thick-above", "--thickness-map", "--thickness", "--threads", "--thickness-csv"])
         self.assertEqual(self.complete("distance", "--th"), ["--threads"])
         self.assertEqual(self.complete("extract", "--vector-boundary", ""), ["object", "background"])
         self.assertEqual(self.complete("extract", "--vector-boundary", "="), ["object", "background"])

@@ -74,9 +74,9 @@ class ThicknessTest(ProgramTestCase):
             self.assertEqual(len((self.folder / "h.csv").read_text().splitlines()), 2)
 
     def test_table_tells_it_without_any_report(self):
-        table = self.extract("in.mha", "l.mha", "--overwrite").stdout
-        self.assertRegex(table, r"wall thickness +mean .*, in units of the spacing\n +at rims, junctions +\d+ \(")
-        self.assertRegex(self.extract("in.mha", "l.mha", "--overwrite", "--voxel-units").stdout, "mean .*, in voxels")
+        table = self.extract("in.mha", "l.mha", "--overwrite", "--phases").stdout
+        self.assertRegex(table, r"walls +thinnest .*, in units of the spacing, by area\n(.*\n)+ +at rims, junctions +\d+ \(")
+        self.assertRegex(self.extract("in.mha", "l.mha", "--overwrite", "--voxel-units").stdout, "median .*, in voxels")
 
     def test_map_has_the_geometry_of_the_labels(self):
         self.map()
@@ -188,7 +188,7 @@ class ThicknessTest(ProgramTestCase):
         ):  # fmt: skip
             options = [*arguments, "--report", "r.json", "--overwrite", *volumes.raw_options(volume)]
             table = self.extract("large.raw", "l.mha", *options).stdout
-            self.assertRegex(table, r"sample +one medial cell in 2, standard error of the mean 0\n")
+            self.assertRegex(table, r"measured +on the object: .*; a sample, one of 2\n")
             found.append(json.loads((self.folder / "r.json").read_text())["thickness"])
         told = found[0]
         self.assertEqual(found, [told] * 4)

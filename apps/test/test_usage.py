@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Options that are wrong, missing or contradictory: status 2, a message with value and range, nothing written."""
 
+import json
 import unittest
 
 import volumes
-from program import USAGE, ProgramTestCase
+from program import FAILURE, USAGE, ProgramTestCase
 
 FORMER_NAMES = {
     "--level": "--resolution",
@@ -16,6 +17,13 @@ FORMER_NAMES = {
     "--smallest-place": "--min-place-area",
     "--smallest-component": "--min-component-size",
 }
+
+
+# What users of other programs type.
+USUAL_NAMES = {
+    "--threshold": "--lower", "--iso": "--lower", "--isovalue": "--lower", "--max": "--upper", "--min-wall-thickness": "--thin-below",
+    "--otsu": "--lower otsu", "--voxel-size": "--spacing", "--output": "OUTPUT", "--page": "--html", "--force": "--overwrite",
+}  # fmt: skip
 
 
 class UsageTest(ProgramTestCase):
@@ -34,6 +42,9 @@ class UsageTest(ProgramTestCase):
     def test_help_and_version_are_results(self):
         self.assertIn("extract", self.run_program("--help").stdout)
         self.assertRegex(self.run_program("--version").stdout, r"^medialvoxel \d+\.\d+\.\d+\n$")
+        self.assertEqual(self.run_program("-V").stdout, self.run_program("--version").stdout)
+        self.assertEqual(self.run_program("help").stdout, self.run_program("--help").stdout)
+        self.assertEqual(self.run_program("help", "mesh").stdout, self.run_program("mesh", "--help").stdout)
         for command in ("extract", "distance"):
             text = self.run_program(command, "--help").stdout
             self.assertIn("Examples:", text)
@@ -47,7 +58,12 @@ class UsageTest(ProgramTestCase):
         self.assert_usage(["'check' has left the program", "python -m medialvoxel check"], "check", "shell.inp", "--json")
         self.assert_usage(["'\\x1b[' is not a command".replace("\\x1b", "?")], "\x1b[")
         self.assert_usage(["INPUT"], "extract", "--thickness", 3)
-        self.assert_usage(["OUTPUT"], "extract", "in.mha", "--thickness", 3)
+        self.assert_usage(["no output is asked for", "OUTPUT", "--html"], "extract", "in.mha", "--thickness", 3)
+        self.assert_usage(["OUTPUT is required"], "plan", "in.mha")
+        self.assert_usage(["--resume", "needs OUTPUT"], "extract", "in.mha", "--html", "a.html", "--resume")
+        for usual, name in USUAL_NAMES.items():
+            self.assert_extract_usage([f"'{usual}' is not an option of extract; did you mean {name}?"], usual, 1)
+        self.assert_usage(["'--page' is not an option of info (see"], "info", "in.mha", "--page", "a.html")
         self.assert_extract_usage(["--bogus"], "--bogus")
         for former, name in FORMER_NAMES.items():
             command = {"--smallest-component": "mesh", "--maximum-distance": "distance"}.get(former, "extract")
@@ -57,6 +73,28 @@ class UsageTest(ProgramTestCase):
         self.assert_extract_usage(["'--thickness-maps'", "did you mean --thickness-map?"], "--thickness-maps=t.mha")
         self.assert_extract_usage(["extra"], "extra")
         self.assert_extract_usage(["--lower"], "--lower")
+
+    def test_messages_point_to_the_help_of_the_command(self):
+        for command in (["extract", "in.mha", "out.mha"], ["mesh", "in.mha", "out.vtp"], ["distance", "in.mha", "out.mha"]):
+            self.assert_usage(["lower threshold 5", f"(see medialvoxel {command[0]} --help)"], *command, "--lower", 5, "--upper", 3)
+        self.assert_extract_usage(["--places", "(see medialvoxel extract --help)"], "--places", "p.csv")
+        self.assert_extract_usage(["'seventy' is not a number or otsu (see"], "--lower", "seventy")
+
+    def test_lengths_with_a_unit(self):
+        """2mm are 2 units of the spacing, 3vx three times the smallest spacing."""
+        stretched = ["--spacing", "2,0.5,1", "--lower", 50, "--report", "-"]
+        for option, key, value, expected in (
+            ("--thickness", "thickness", "3vx", 1.5), ("--thickness", "thickness", "3MM", 3), ("--max-thickness", "max_thickness", "20vx", 10),
+        ):  # fmt: skip
+            report = json.loads(self.run_program("extract", "in.mha", option, value, *stretched).stdout)
+            self.assertEqual(report["parameters"][key], expected)
+        thin = json.loads(self.run_program("extract", "in.mha", "--thin-below", "5vx,4mm", *stretched).stdout)["places"]["thin"]
+        self.assertEqual((thin["limit"], thin["grow_limit"]), (2.5, 4))
+        self.run_program("plan", "in.mha", "out.mha", "job", "--thickness", "3vx", *stretched[:-2])
+        self.assertIn('"--thickness": "1.5"', (self.folder / "job/manifest.json").read_text())
+        for value in ("3v", "vx", "3px", "3 vx", "0vx", "-1mm", "1e30vx"):
+            self.assert_extract_usage(["--max-thickness", f"'{value}'"] if value[0] in "3v" else ["--max-thickness"], "--max-thickness", value)
+        self.assert_fails(FAILURE, ["no.mha"], "extract", "no.mha", "out.mha", "--thickness", "3vx")
 
     def test_thickness_out_of_range(self):
         for value in ("0", "-2", "nan", "inf", "-inf"):
@@ -103,7 +141,7 @@ class UsageTest(ProgramTestCase):
         self.assert_usage(["--max-distance", "'0'"], "distance", "in.mha", "out.mha", "--max-distance", 0)
 
     def test_names_in_any_case(self):
-        raw = ["--raw-size", "24,20,16", "--raw-type", "UINT8"]
+        raw = ["--raw-size", "24X20x16", "--raw-type", "UINT8"]
         self.run_program("extract", "in.raw", "a.mha", *raw, "--thickness", "Auto", "--progress", "None", "--memory", "2GiB")
         self.run_program("extract", "in.mha", "b.mha", "--progress", "none", "--memory", "2gb")
         self.assertEqual((self.folder / "a.mha").read_bytes(), (self.folder / "b.mha").read_bytes())
@@ -155,7 +193,7 @@ class UsageTest(ProgramTestCase):
         self.assert_usage(["--raw-size"], *command, "--raw-type", "uint8")
         for option in (["--raw-spacing", "1,1,1"], ["--raw-header", 4], ["--raw-big-endian"]):
             self.assert_usage(["--raw-size"], *command, *option)
-        for size in ("24,20,x", "24,20,-16", "24,20,0", "24,,16", "1e3,2,2", ""):
+        for size in ("24,20,x", "24x20xx16", "24 x 20 x 16", "24,20,-16", "24,20,0", "24,,16", "1e3,2,2", ""):
             self.assert_usage(["--raw-size"], *command, "--raw-type", "uint8", "--raw-size", size)
         for size in ("24", "24,20,16,1"):
             self.assert_usage(["--raw-size", "2 or 3"], *command, "--raw-type", "uint8", "--raw-size", size)

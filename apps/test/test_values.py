@@ -165,7 +165,7 @@ class ValuesTest(ProgramTestCase):
                     report = ["--report", "r.json", "--overwrite"]
                     result = self.run_program(*command, "--lower", "Otsu", *options, *report)
                     self.assertEqual((self.folder / output).read_bytes(), expected, (command, options))
-                    self.assertIn(f"lower threshold{' ' * 1}", result.stdout)
+                    self.assertIn(f"{threshold}, of Otsu", result.stdout)
                     parameters = json.loads((self.folder / "r.json").read_text())["parameters"]
                     self.assertEqual((parameters["lower"], parameters["lower_otsu"]), (float(threshold), True))
 

@@ -45,9 +45,8 @@ std::vector<Index>
 MedialVoxelRemesher::ListBelow(const double limit, const std::function<double(Index)> & getValue) const
 {
   std::vector<double> values(m_Complex.GetNumberOfTriangles());
-  MedialVoxelForEach(m_RunTasks, values.size(), [&](const std::size_t number) {
-    const auto triangle = static_cast<Index>(number);
-    values[number] = m_Complex.IsTriangle(triangle) ? getValue(triangle) : limit;
+  MedialVoxelForEach(m_RunTasks, values.size(), [&](const Index triangle) {
+    values[triangle] = m_Complex.IsTriangle(triangle) ? getValue(triangle) : limit;
   });
   std::vector<Index> triangles;
   for (Index triangle = 0; triangle < values.size(); ++triangle)

@@ -125,7 +125,7 @@ private:
         });
       });
       const double norm2 = MedialVoxelDot(sum, sum);
-      Vector       shift = isSmooth ? Scaled(sum, across * static_cast<double>(edges.size()) / norm2)
+      const Vector shift = isSmooth ? Scaled(sum, across * static_cast<double>(edges.size()) / norm2)
                                     : MedialVoxelFindShift(edges, SmallOfShift);
       const double norm = MedialVoxelNorm(shift);
       m_Shifts[point] = norm > MostOfCorner * across ? Scaled(shift, MostOfCorner * across / norm) : shift;
@@ -145,10 +145,8 @@ private:
       {
         continue;
       }
-      for (const Index point : { m_Lines.GetSides()[number].a, m_Lines.GetSides()[number].b })
-      {
-        this->FindCorner(number, point);
-      }
+      this->FindCorner(number, m_Lines.GetSides()[number].a);
+      this->FindCorner(number, m_Lines.GetSides()[number].b);
     }
   }
 
@@ -254,8 +252,7 @@ private:
   void
   ForEachPoint(const TFunction & function) const
   {
-    MedialVoxelForEach(
-      m_RunTasks, m_Lines.GetNumberOfPoints(), [&](const std::size_t point) { function(static_cast<Index>(point)); });
+    MedialVoxelForEach(m_RunTasks, m_Lines.GetNumberOfPoints(), function);
   }
 
   /** The way of a point, and at an outer corner those across each of its rims, where strips go on, too. */

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 
 namespace itk
@@ -25,9 +26,8 @@ MedialVoxelRunInOrder(const std::size_t count, const MedialVoxelTask & task)
   }
 }
 
-/** Calls function(number, scratch) for all numbers below a count, a block of them in each task, which makes its
- * scratch.
- */
+/** Calls function(number, scratch) for all numbers below a count of at most 2^32, a block of them in each task, which
+ * makes its scratch. */
 template <typename TMake, typename TFunction>
 void
 MedialVoxelForEachWith(const MedialVoxelRunTasks & runTasks,
@@ -41,7 +41,7 @@ MedialVoxelForEachWith(const MedialVoxelRunTasks & runTasks,
     auto scratch = makeScratch();
     for (std::size_t number = task * block; number < std::min(count, (task + 1) * block); ++number)
     {
-      function(number, scratch);
+      function(static_cast<std::uint32_t>(number), scratch);
     }
   });
 }
@@ -52,7 +52,7 @@ void
 MedialVoxelForEach(const MedialVoxelRunTasks & runTasks, const std::size_t count, const TFunction & function)
 {
   MedialVoxelForEachWith(
-    runTasks, count, [] { return 0; }, [&function](const std::size_t number, int) { function(number); });
+    runTasks, count, [] { return 0; }, [&function](const std::uint32_t number, int) { function(number); });
 }
 
 } // end namespace itk

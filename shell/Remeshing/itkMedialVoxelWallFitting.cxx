@@ -407,8 +407,7 @@ MedialVoxelWallFitting::FindPlaces(const MedialVoxelRunTasks & runTasks) const
 {
   std::vector<Point> places = m_Sheet.points;
   const auto         makeRegion = [this] { return Region{ {}, std::vector<bool>(m_Sheet.elements.size()) }; };
-  MedialVoxelForEachWith(runTasks, places.size(), makeRegion, [&](const std::size_t number, Region & region) {
-    const auto node = static_cast<Index>(number);
+  MedialVoxelForEachWith(runTasks, places.size(), makeRegion, [&](const Index node, Region & region) {
     places[node] = m_ElementsOf[node].empty() ? places[node] : this->FindPlace(node, region);
   });
   this->TakeBack(places);

@@ -61,6 +61,7 @@ struct VolumeRequest
   VoxelLayout    layout;
   TileWriter     write{ nullptr };
   VolumeFiller   filler{ VolumeFiller::Extraction };
+  bool           isPublished{ true }; ///< otherwise the file vanishes with the process
 };
 
 } // end namespace medialvoxel

@@ -6,6 +6,8 @@
 #include "SlicerElements.h"
 #include "Text.h"
 
+#include <algorithm>
+
 namespace medialvoxel
 {
 namespace
@@ -108,7 +110,9 @@ OfRaw(void (*set)(RawDescription &, const std::string &), std::optional<std::str
 void
 SetRawSize(RawDescription & raw, const std::string & text)
 {
-  const std::vector<std::string> parts = SplitAtCommas(text);
+  std::string numbers = ToLower(text); // 256x256x110, as the program prints it, is the same as 256,256,110
+  std::replace(numbers.begin(), numbers.end(), 'x', ',');
+  const std::vector<std::string> parts = SplitAtCommas(numbers);
   if (parts.size() < 2 || parts.size() > 3)
   {
     throw WrongValue("'" + text + "' has " + std::to_string(parts.size()) + " values; it must have 2 or 3");
@@ -204,41 +208,50 @@ SeparatesObjects(const ExtractOptions & options)
 }
 
 void
-AddVolume(std::vector<OptionRow> & rows)
+AddInput(std::vector<OptionRow> & rows)
 {
   AddRow(rows, "INPUT", "FILE", File(&JobOptions::input))
     .OfJobs(Volumes)
-    .Help("Volume: " + JoinWords(ListInputFormats(), " "))
+    .Help("DICOM folder, " + JoinWords(ListInputFormats(), " "),
+          "A file, a folder of slices (DICOM, TIFF, PNG, JPEG or BMP), or a pattern of their names such as "
+          "'scan/*.png'.")
     .Slicer({ "IO",
               "inputVolume",
               "Input volume",
               "Volume of one value per voxel, gray values or labels, or a segmentation whose segments do not overlap",
               SlicerImage("any", ".nrrd,.nhdr,.mha,.mhd,.nii,.nii.gz,.tif,.tiff"),
               "input" });
+}
+
+void
+AddVolume(std::vector<OptionRow> & rows)
+{
+  const std::string group = "Input";
   AddRow(rows, "--slices", "RANGE", Slices())
-    .OfJobs(Volumes)
+    .OfJobs(Volumes, group)
     .Help(
       "FIRST-LAST, of a folder or pattern of slices",
       "Counted from 0 in the order of the slices; of a pattern with %d the numbers in the names. Both belong to the "
       "volume.");
   // Not shown, as the message that lists the series says it.
   AddRow(rows, "--series", "UID", Series())
-    .OfJobs(Volumes)
-    .HiddenIn(Volumes)
+    .OfJobs(Volumes, group)
+    .Hidden()
     .Help("The DICOM series of a folder that has several");
   AddRow(rows, "--spacing", "X,Y,Z", Spacing())
-    .OfJobs(Volumes)
+    .OfJobs(Volumes, group)
     .Help("Spacing, instead of that of the file",
           "Default: that of the file, or 1. From 1e-12 to 1e12; the largest at most 1000 times the smallest.");
   // More than any volume has: each has half the size of the one before.
   constexpr std::uint64_t largestLevel = 64;
   AddRow(rows, "--resolution", "N", Count(&JobOptions::level, 0, largestLevel))
-    .OfJobs(Volumes)
-    .Formerly("--level")
+    .OfJobs(Volumes, group)
+    .HiddenIn(Volumes & ~Info)
     .Help("Of an image with several sizes; 0 (default): largest",
           "Needs an OME-Zarr image with so many levels. Each has about half the size of the one before.");
   AddRow(rows, "--resample", "S", Resampling())
-    .OfJobs(Volumes)
+    .OfJobs(Volumes, group)
+    .Hidden()
     .Help("Resample to the spacing S, auto (smallest) or off",
           "The input is brought to this spacing while it is read. Values between voxels are linear with a threshold; "
           "without one, or with one value for both, the nearest voxel counts. Default: auto for sheets and thickness "
@@ -257,10 +270,11 @@ AddVolume(std::vector<OptionRow> & rows)
 void
 AddRaw(std::vector<OptionRow> & rows)
 {
-  const std::string group = "Headerless input";
+  const std::string group = "Input";
   AddRow(rows, "--raw-size", "X,Y,Z", OfRaw(SetRawSize, GetRawSize))
     .OfJobs(Volumes, group)
-    .Help("Voxels along each axis", "2 or 3 numbers, x first. The file must have exactly this size.")
+    .Help("Voxels along each axis",
+          "2 or 3 numbers, x first, as 256,256,110 or 256x256x110. The file must have exactly this size.")
     .Requires("--raw-type");
   AddRow(rows, "--raw-type", "TYPE", RawType())
     .OfJobs(Volumes, group)
@@ -273,7 +287,7 @@ AddRaw(std::vector<OptionRow> & rows)
          OfRaw([](RawDescription & raw, const std::string & text) { raw.spacing = ToSpacings(text); },
                [](const RawDescription & raw) { return FormatSpacings(raw.spacing); }))
     .OfJobs(Volumes, group)
-    .HiddenIn(Volumes)
+    .Hidden()
     .Help("The same as --spacing")
     .Requires("--raw-size");
   AddRow(rows,
@@ -282,10 +296,12 @@ AddRaw(std::vector<OptionRow> & rows)
          OfRaw([](RawDescription & raw, const std::string & text) { raw.headerSize = ToCount(text, 0, LargestCount); },
                [](const RawDescription & raw) { return std::optional<std::string>(std::to_string(raw.headerSize)); }))
     .OfJobs(Volumes, group)
+    .Hidden()
     .Help("Bytes before the first voxel (default 0)")
     .Requires("--raw-size");
   AddRow(rows, "--raw-big-endian", "", RawFlag())
     .OfJobs(Volumes, group)
+    .Hidden()
     .Help("The first byte of a voxel is the most significant")
     .Requires("--raw-size");
 }
@@ -364,7 +380,7 @@ AddObjects(std::vector<OptionRow> & rows)
   OptionValue       moduleLabels = OrEmpty(Value(&ModuleOptions::labels, ToLabels, FormatLabels));
   AddRow(rows, "--labels", "LIST", Value(&ExtractOptions::labels, ToLabels, FormatLabels))
     .Of(Extractions)
-    .HiddenIn(Plan)
+    .RefusedIn(Plan)
     .Help(
       "Each value is an object: all, or L1,L2,...",
       "Objects that touch are kept apart, and each has a row in the report. all: every value but 0, at most 65535, and "
@@ -382,7 +398,8 @@ AddObjects(std::vector<OptionRow> & rows)
         moduleLabels });
   AddRow(rows, "--segments", "FILE", File(&ExtractOptions::segmentFile))
     .Of(Extractions)
-    .HiddenIn(Plan)
+    .Hidden()
+    .RefusedIn(Plan)
     .Help(
       "Names and colors of labels (.ctbl, .csv, .nrrd)",
       "A color table of 3D Slicer (.ctbl, .txt, .csv, .tsv) or a segmentation (.nrrd, .nhdr). Default: names of the "
@@ -409,14 +426,15 @@ AddObjects(std::vector<OptionRow> & rows)
 void
 AddInputRows(std::vector<OptionRow> & rows)
 {
-  AddVolume(rows);
+  AddInput(rows);
   AddObject(rows);
   AddObjects(rows);
 }
 
 void
-AddRawRows(std::vector<OptionRow> & rows)
+AddVolumeRows(std::vector<OptionRow> & rows)
 {
+  AddVolume(rows);
   AddRaw(rows);
 }
 

@@ -46,7 +46,7 @@ AddMesh(std::vector<OptionRow> & rows)
   AddRow(rows, "OUTPUT", "FILE", File(&ExtractOptions::meshFile)).Of(Mesh).Help(formats);
   AddRow(rows, "--mesh", "FILE", File(&ExtractOptions::meshFile))
     .Of(Extractions, "Mesh")
-    .HiddenIn(Plan)
+    .RefusedIn(Plan)
     .Help(formats, "The medial surface, as medialvoxel mesh writes it. With --labels: that of each object, told apart.")
     .Slicer({ "Further outputs",
               "meshModel",
@@ -60,8 +60,8 @@ AddMesh(std::vector<OptionRow> & rows)
     .Python(Mesh);
   AddRow(rows, "--min-component-size", "N", Count(&ExtractOptions::minimumComponentSize, 0))
     .Of(Sheets, "Mesh")
-    .HiddenIn(Extractions)
-    .Formerly("--smallest-component")
+    .RefusedIn(Plan)
+    .HiddenIn(Extract)
     .Help("Leave out components of fewer faces of a voxel",
           std::string("Default 100 for elements of a size in ") + SolverExtensions +
             "; otherwise 0, which keeps all. Holds the whole surface in memory. Needs a mesh.")
@@ -86,9 +86,9 @@ AddElements(std::vector<OptionRow> & rows)
               Choice<ModuleOptions, Kind>(
                 &ModuleOptions::elementSizeMode,
                 { { "Voxel", Kind::Voxel }, { "Automatic", Kind::Automatic }, { "Fixed", Kind::Length } }) });
-  AddRow(rows, "--element-size", "H", Value(&ExtractOptions::elementSize, ToElementSize, FormatElementSize))
+  AddRow(rows, "--element-size", "H", OfLengths(Value(&ExtractOptions::elementSize, ToElementSize, FormatElementSize)))
     .Of(Sheets, "Mesh")
-    .HiddenIn(Plan)
+    .RefusedIn(Plan)
     .Help("Length of the mesh's sides; auto, voxel",
           "In units of the spacing; elements are as long as the wall is thick at least at junctions and bends. auto "
           "(default of .inp, .bdf and .k): as long as the wall is thick, at least two voxels. voxel (default of other "
@@ -111,6 +111,7 @@ AddElements(std::vector<OptionRow> & rows)
          Choice<ExtractOptions, Place>(&ExtractOptions::thicknessPlace,
                                        { { "sections", Place::Sections }, { "nodes", Place::Nodes } }))
     .Of(Mesh, "Mesh")
+    .Hidden()
     .Help(
       "Thickness of elements for solvers",
       "sections (default): elements of nearly the same thickness share a section, as every solver reads. nodes: .inp "
@@ -119,7 +120,8 @@ AddElements(std::vector<OptionRow> & rows)
     .Needs("a mesh that is written as " + solvers, HasElements);
   AddRow(rows, "--extend-rims", "", Flag(&ExtractOptions::extendsRims))
     .Of(Sheets, "Mesh")
-    .HiddenIn(Extractions)
+    .RefusedIn(Plan)
+    .HiddenIn(Extract)
     .Help("Carry the sheet on to free edges; =off: not",
           "The sheet ends half the thickness of its wall before each free edge of the part. It is carried on in its "
           "plane to the surface, at most for the thickness; with --labels for half the thickness. Default: on for "
@@ -130,7 +132,8 @@ AddElements(std::vector<OptionRow> & rows)
     .Slicer({ "Further outputs", "extendRims", "Extend rims", "" });
   AddRow(rows, "--section-width", "W", Length(&ExtractOptions::sectionWidth))
     .Of(Sheets, "Mesh")
-    .HiddenIn(Plan)
+    .Hidden()
+    .RefusedIn(Plan)
     .Help("Step of the thickness of sections",
           "In units of the spacing; default: a quarter of the smallest spacing. Needs a mesh in " + solvers +
             " with sections.")
@@ -156,11 +159,12 @@ AddBlock(std::vector<OptionRow> & rows)
     .Of(Surface)
     .Help("Triangles: " + JoinExtensions(ListPartExtensions()));
   AddRow(rows, "--open", "", Flag(&PartOptions::isOpen))
-    .Of(Surface)
+    .Of(Surface, "Method")
+    .Hidden()
     .Help("Leave it open where the volume cuts the part",
           "Otherwise it is closed half a voxel beyond the last voxels.");
   AddRow(rows, "--sub-voxel", "", Flag(&PartOptions::subVoxel))
-    .Of(Surface)
+    .Of(Surface, "Method")
     .Help(
       "Place and measure it by gray values; =off: not",
       "Vertices are where linear values cross the threshold, and walls are fitted to values where these allow it; "

@@ -10,8 +10,15 @@ ListOptions()
 {
   static const std::vector<OptionRow> table = [] {
     std::vector<OptionRow> rows;
-    for (const auto add :
-         { AddInputRows, AddSheetRows, AddMeshRows, AddOutputRows, AddJobRows, AddWallRows, AddRunRows, AddRawRows })
+    for (const auto add : { AddInputRows,
+                            AddPlaceRows,
+                            AddOutputRows,
+                            AddWallRows,
+                            AddMeshRows,
+                            AddVolumeRows,
+                            AddSheetRows,
+                            AddJobRows,
+                            AddRunRows })
     {
       add(rows);
     }

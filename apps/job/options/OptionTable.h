@@ -61,8 +61,9 @@ struct OptionRow
   std::string     unit;  ///< word for the value; empty for flags
   OptionValue     value; ///< member, range and default
   unsigned int    commands{ 0 };
-  unsigned int    hiddenIn{ 0 }; ///< commands that take it and do not show it
-  std::string     formerName;    ///< refused, with the one of today
+  unsigned int    hiddenIn{ 0 };   ///< commands that show it with --help-all only, and apart in manuals
+  unsigned int    refusedIn{ 0 };  ///< commands that take it to say why they do not make it
+  unsigned int    optionalIn{ 0 }; ///< commands that do without this argument
   std::string     group{ "Options" };
   std::string     help;      ///< the line of the help, without a full stop
   std::string     details;   ///< further sentences, of the manual and the reference
@@ -101,9 +102,20 @@ struct OptionRow
     return *this;
   }
   OptionRow &
-  Formerly(std::string option)
+  Hidden() ///< in all commands
   {
-    formerName = std::move(option);
+    return this->HiddenIn(commands);
+  }
+  OptionRow &
+  RefusedIn(unsigned int those)
+  {
+    refusedIn = those;
+    return *this;
+  }
+  OptionRow &
+  OptionalIn(unsigned int those)
+  {
+    optionalIn = those;
     return *this;
   }
   OptionRow &
@@ -162,7 +174,9 @@ ListOptions();
 void
 AddInputRows(std::vector<OptionRow> & rows);
 void
-AddRawRows(std::vector<OptionRow> & rows);
+AddVolumeRows(std::vector<OptionRow> & rows);
+void
+AddPlaceRows(std::vector<OptionRow> & rows);
 void
 AddJobRows(std::vector<OptionRow> & rows);
 void

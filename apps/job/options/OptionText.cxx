@@ -304,6 +304,28 @@ ParseFlag(const std::string & text)
   return isOneOf({ "false", "off", "no", "0" }) ? std::optional<bool>(false) : std::nullopt;
 }
 
+std::string
+ReplaceUnits(const std::string & text, const double voxel)
+{
+  constexpr std::size_t length = 2;
+  std::string           replaced;
+  for (const std::string & part : SplitAtCommas(text))
+  {
+    const std::size_t           front = part.size() < length ? 0 : part.size() - length;
+    const std::string           unit = ToLower(part.substr(front));
+    const std::optional<double> value =
+      unit == "mm" || unit == "vx" ? ParseDouble(part.substr(0, front)) : std::nullopt;
+    replaced += "," + (value ? FormatNumber(unit == "vx" ? *value * voxel : *value) : part);
+  }
+  return replaced.substr(1);
+}
+
+bool
+HasVoxels(const std::string & text)
+{
+  return ReplaceUnits(text, 1.0) != ReplaceUnits(text, 2.0);
+}
+
 std::vector<std::string>
 SplitAtCommas(const std::string & text)
 {

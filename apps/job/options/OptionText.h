@@ -85,6 +85,14 @@ FindChoice(const std::vector<std::string> & names, const std::string & text);
 std::optional<bool>
 ParseFlag(const std::string & text);
 
+/** Lengths as numbers: mm are units of the spacing, and a vx is \a voxel of them. What has no unit stays. */
+std::string
+ReplaceUnits(const std::string & text, double voxel);
+
+/** Whether one of them is in voxels. */
+bool
+HasVoxels(const std::string & text);
+
 /** Also of nothing, and behind the last comma. */
 std::vector<std::string>
 SplitAtCommas(const std::string & text);

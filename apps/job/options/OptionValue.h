@@ -63,9 +63,10 @@ struct OptionValue
    * structure of this type. */
   std::function<std::optional<std::string>(const OptionTarget & target)> get;
 
-  std::optional<std::string> initial;         ///< the result of get() for new structures
-  std::vector<std::string>   choices;         ///< names that it takes, the default first; none: any text
-  bool                       isFlag{ false }; ///< takes no word of its own, but a value behind an equals sign
+  std::optional<std::string> initial;           ///< the result of get() for new structures
+  std::vector<std::string>   choices;           ///< names that it takes, the default first; none: any text
+  bool                       isFlag{ false };   ///< takes no word of its own, but a value behind an equals sign
+  bool                       isLength{ false }; ///< its numbers may have a unit, which ReplaceUnits() takes away
 };
 
 /** A value that two functions set and get. */
@@ -202,6 +203,14 @@ Count(TMember TOptions::* member, std::uint64_t least, std::uint64_t most = Larg
     [](const auto & value) { return std::to_string(value); });
 }
 
+/** The same value, where numbers are lengths. */
+inline OptionValue
+OfLengths(OptionValue value)
+{
+  value.isLength = true;
+  return value;
+}
+
 /** A length; ToLength or a function like it. */
 template <typename TOptions, typename TMember>
 OptionValue
@@ -209,7 +218,7 @@ Length(
   TMember TOptions::* member,
   double (*parse)(const std::string &) = [](const std::string & text) { return ToLength(text); })
 {
-  return Value(member, parse, FormatNumber);
+  return OfLengths(Value(member, parse, FormatNumber));
 }
 
 /** The same value, where an empty text leaves it as it is. */

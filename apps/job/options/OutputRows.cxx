@@ -13,7 +13,10 @@ namespace
 
 using namespace Commands;
 
-constexpr const char * Group = "Further outputs";
+constexpr const char * Group = "Outputs";
+
+// The module keeps the names of its groups.
+constexpr const char * SlicerGroup = "Further outputs";
 
 std::string
 ListExtensions(unsigned int components)
@@ -45,6 +48,7 @@ AddArguments(std::vector<OptionRow> & rows)
   constexpr unsigned int vector = 3;
   AddRow(rows, "OUTPUT", "FILE", File(&ExtractOptions::output))
     .OfJobs(Extractions)
+    .OptionalIn(Extract)
     .Help("Labels: " + ListExtensions(1))
     .Slicer(
       { "IO",
@@ -64,45 +68,47 @@ AddVolumes(std::vector<OptionRow> & rows)
 {
   AddRow(rows, "--objects", "FILE", File(&ExtractOptions::objectFile))
     .Of(Extractions, Group)
-    .HiddenIn(Plan)
+    .RefusedIn(Plan)
     .Help(
       "With --labels: the label of each cell's object",
       "Of the type of the input, on the grid of the labels. A cell that is medial for several objects has the smallest "
       "label. Named .seg.nrrd, 3D Slicer loads it as a segmentation with the names and colors.")
     .Needs("--labels", SeparatesObjects)
-    .Slicer(
-      { Group, "objectsVolume", "Objects", "", SlicerOutput("label", ".seg.nrrd,.nrrd,.nhdr,.mha,.mhd"), "output" });
+    .Slicer({ SlicerGroup,
+              "objectsVolume",
+              "Objects",
+              "",
+              SlicerOutput("label", ".seg.nrrd,.nrrd,.nhdr,.mha,.mhd"),
+              "output" });
   AddRow(rows, "--vectors", "FILE", File(&ExtractOptions::vectorFile))
     .OfJobs(Extractions, Group)
+    .Hidden()
     .Help("Vectors to the nearest boundary point",
           "32-bit real components x, y, z at object voxels, 0 elsewhere; in units of the spacing, along the axes of "
           "space.")
     .Python(Extract)
-    .Slicer({ Group, "vectorVolume", "Vectors", "", SlicerOutput("vector"), "output" });
+    .Slicer({ SlicerGroup, "vectorVolume", "Vectors", "", SlicerOutput("vector"), "output" });
   using Boundary = itk::MedialVoxelBoundary;
   AddRow(rows,
          "--vector-boundary",
          "KIND",
          Choice(&ExtractOptions::vectorBoundary, { Boundary::Object, Boundary::Background }))
     .OfJobs(Extractions, Group)
+    .Hidden()
     .Help("Boundary that they lead to", "object: border voxels of the object. background: background voxels beside it.")
     .Needs("--vectors", HasVectors)
     .Python(Extract)
-    .Slicer({ Group, "vectorBoundary", "Boundary of the vectors", "" });
+    .Slicer({ SlicerGroup, "vectorBoundary", "Boundary of the vectors", "" });
   AddRow(rows, "--distance", "FILE", File(&JobOptions::distanceFile))
     .OfJobs(Extractions | Distance, Group)
+    .HiddenIn(Extractions)
     .Help("Signed distance, negative inside the object")
-    .Slicer({ Group, "distanceVolume", "Signed distance", "", SlicerOutput("scalar"), "output" });
+    .Slicer({ SlicerGroup, "distanceVolume", "Signed distance", "", SlicerOutput("scalar"), "output" });
 }
 
 void
 AddViews(std::vector<OptionRow> & rows)
 {
-  AddRow(rows, "--preview", "FILE", File(&ExtractOptions::previewFile))
-    .OfJobs(Extractions, Group)
-    .Help("Picture of slices and a projection (.png)",
-          "With --thickness-map a second picture has the colors of the thickness.")
-    .Slicer({ Group, "previewFile", "Picture", "", SlicerFile(".png"), "output" });
   AddRow(rows, "--html", "FILE", File(&ExtractOptions::htmlFile))
     .OfJobs(Extractions, Group)
     .Help(
@@ -114,16 +120,22 @@ AddViews(std::vector<OptionRow> & rows)
     .Help(
       "Thickness that colors of page and picture span",
       "Fixed, so that parts can be compared; in units of the spacing. Default: from the 1st to the 99th percentile.")
+    .HiddenIn(Extractions)
     .Needs("--html or --preview", HasColors);
   AddRow(rows, "--report", "FILE", File(&JobOptions::reportFile))
     .OfJobs(Runs, Group)
     .Help("All numbers (JSON); - for stdout", "With - it takes the place of the table.")
-    .Slicer({ Group,
+    .Slicer({ SlicerGroup,
               "reportFile",
               "Report",
               "Parameters, counts, seconds and memory as JSON",
               SlicerFile(".json"),
               "output" });
+  AddRow(rows, "--preview", "FILE", File(&ExtractOptions::previewFile))
+    .OfJobs(Extractions, Group)
+    .Help("Picture of slices and a projection (.png)",
+          "With --thickness-map a second picture has the colors of the thickness.")
+    .Slicer({ SlicerGroup, "previewFile", "Picture", "", SlicerFile(".png"), "output" });
 }
 
 } // namespace
@@ -132,8 +144,8 @@ void
 AddOutputRows(std::vector<OptionRow> & rows)
 {
   AddArguments(rows);
-  AddVolumes(rows);
   AddViews(rows);
+  AddVolumes(rows);
 }
 
 } // end namespace medialvoxel

@@ -23,6 +23,7 @@ struct ProgramOptions
   bool          printsJson{ false };
   ProgressStyle progress{ ProgressStyle::Auto };
   bool          quiet{ false };
+  bool          showsPhases{ false }; ///< prints the long table
   LogLevel      logLevel{ LogLevel::Info };
 };
 

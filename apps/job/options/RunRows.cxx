@@ -30,6 +30,12 @@ WritesZarr(const OptionTarget & target)
   });
 }
 
+bool
+HasLabels(const ExtractOptions & options)
+{
+  return !options.output.empty();
+}
+
 /** The threads of the module: 0 stands for the default. */
 OptionValue
 ModuleThreads(std::int64_t most)
@@ -100,21 +106,23 @@ AddJobs(std::vector<OptionRow> & rows)
   AddRow(rows, "JOBDIR", "DIR", folder()).Of(Plan).Help("Folder of the job, new or empty");
   AddRow(rows, "JOBDIR", "DIR", folder()).Of(Work | Finalize | Status).Help("Folder made by medialvoxel plan");
   AddRow(rows, "--slurm", "", ReadOnly(SetSlurm, true))
-    .Of(Plan)
+    .Of(Plan, "Job")
     .Help("Write a Slurm job array: JOBDIR/slurm.sh, or =FILE",
           "Prints the commands that submit it, too. on and off are no file names, but ./on is one.");
   AddRow(rows, "--slurm-clusters", "N", ReadOnly(SetSlurmClusters))
-    .Of(Plan)
+    .Of(Plan, "Job")
+    .Hidden()
     .Help("Clusters per task; N%M: M tasks at once", "Default: so many that there are up to 64 tasks.")
     .Requires("--slurm");
   AddRow(rows, "--clusters", "RANGES", ReadOnly(SetClusters))
-    .Of(Work)
+    .Of(Work, "Job")
     .Help("Clusters to compute, as 7 or 0-3,9 (default: all)", "Counted from 0.");
   const auto setVerify = [](FinalizeOptions & options, const std::string & text) { options.verifies = !ToFlag(text); };
   AddRow(rows, "--no-verify", "", ReadOnly<FinalizeOptions>(setVerify, true))
-    .Of(Finalize)
+    .Of(Finalize, "Job")
+    .Hidden()
     .Help("Skip reading the outputs again for their checksums", "For file systems that have checksums of their own.");
-  AddRow(rows, "--json", "", Flag(&ProgramOptions::printsJson)).Of(Status).Help("Print it as JSON");
+  AddRow(rows, "--json", "", Flag(&ProgramOptions::printsJson)).Of(Status, "Job").Help("Print it as JSON");
 }
 
 void
@@ -134,6 +142,7 @@ AddResources(std::vector<OptionRow> & rows)
     .Slicer({ Group, "memory", "Memory", "" });
   AddRow(rows, "--scratch", "DIR", File(&JobOptions::scratchFolder))
     .Of(Runs | Work, Group)
+    .Hidden()
     .Help(
       "Folder for input and mesh beyond the memory",
       "Values of compressed input that do not fit the memory, and vertices and faces of meshes, wait there in files "
@@ -156,6 +165,7 @@ AddResources(std::vector<OptionRow> & rows)
               SlicerLimits("0", std::to_string(mostThreads)) });
   AddRow(rows, "--divisions", "N", Count(&JobOptions::divisions, 1))
     .Of(Runs & ~Plan, Group)
+    .Hidden()
     .Help("Number of pieces (default: chosen)", "Results do not depend on it.");
   AddRow(rows, "--divisions", "N", Count(&JobOptions::divisions, 1))
     .Of(Plan, Group)
@@ -170,7 +180,8 @@ AddFiles(std::vector<OptionRow> & rows)
     .Help("Check everything, print the plan and stop", "Writes nothing.");
   AddRow(rows, "--sparse", "", Flag(&JobOptions::sparse))
     .Of(Runs, Group)
-    .HiddenIn(Plan)
+    .Hidden()
+    .RefusedIn(Plan)
     .Help("Leave zeros as holes in the files, reserve no space", "Not in jobs of several processes.");
   const std::string overwriting =
     "Without it the run is refused with status 3. Old files stay until the new ones are complete.";
@@ -179,7 +190,7 @@ AddFiles(std::vector<OptionRow> & rows)
     .Help("Replace existing outputs", overwriting)
     .KeepForRun();
   AddRow(rows, "--overwrite", "", Flag(&FinalizeOptions::overwrite))
-    .Of(Finalize)
+    .Of(Finalize, Group)
     .Help("Replace existing outputs, whatever the plan says", overwriting);
 }
 
@@ -198,12 +209,20 @@ AddMessages(std::vector<OptionRow> & rows)
                                          { "json", Style::JsonLines },
                                          { "none", Style::None } }))
     .Of(Processes, Group)
+    .HiddenIn(Runs)
     .Help("Progress");
   AddRow(rows, "--quiet", "", Flag(&ProgramOptions::quiet))
     .Of(Processes, Group)
     .Help("Print errors only", "Warnings are left out too.");
+  AddRow(rows, "--phases", "", Flag(&ProgramOptions::showsPhases))
+    .Of((Runs & ~Plan) | Finalize, Group)
+    .Hidden()
+    .Help("Print a longer table: phases of the method",
+          "Cells by the phase that decided them, as in Table 1 of the paper; shapes of elements; seconds of each part. "
+          "The report has all of it.");
   AddRow(rows, "--log-file", "FILE", File(&JobOptions::logFile))
     .Of(Processes, Group)
+    .HiddenIn(Runs)
     .Help("Append one line per step to this file", "Several processes may share it. Lines that are there stay.");
   AddRow(rows,
          "--log-level",
@@ -214,7 +233,8 @@ AddMessages(std::vector<OptionRow> & rows)
                                             { "warning", LogLevel::Warning },
                                             { "debug", LogLevel::Debug } }))
     .Of(Processes, Group)
-    .Help("Least urgent lines", "Lines that are less urgent are left out.")
+    .Hidden()
+    .Help("Least urgent lines of --log-file", "Lines that are less urgent are left out.")
     .Requires("--log-file");
 }
 
@@ -223,7 +243,8 @@ AddPacking(std::vector<OptionRow> & rows)
 {
   AddRow(rows, "--compress", "", Flag(&JobOptions::compress))
     .Of(Extractions | Distance, Group)
-    .HiddenIn(Plan)
+    .Hidden()
+    .RefusedIn(Plan)
     .Help("Pack .mha and .nrrd outputs",
           "zlib for .mha, gzip for .nrrd. Packed files do not stream. Not in jobs of several processes.");
   AddRow(
@@ -232,13 +253,15 @@ AddPacking(std::vector<OptionRow> & rows)
     "KIND",
     Choice(&JobOptions::zarrCompression, { ZarrCompression::Gzip, ZarrCompression::BloscZstd, ZarrCompression::None }))
     .OfJobs(Extractions | Distance, Group)
+    .Hidden()
     .Help("Compression of .zarr outputs",
           "Needs a .zarr output. blosc-zstd makes smaller files than gzip, and makes them sooner.")
     .Needs("an output that is written as .zarr", WritesZarr);
   AddRow(rows, "--resume", "", Flag(&ProgramOptions::resumes))
     .Of(Extract, Group)
     .Help("Continue a stopped run, or start one that can",
-          "The job folder is OUTPUT.job until the run is complete. The same command continues.");
+          "The job folder is OUTPUT.job until the run is complete. The same command continues.")
+    .Needs("OUTPUT", HasLabels);
 }
 
 } // namespace

@@ -16,14 +16,14 @@ using Parameters = itk::MedialVoxelParameters;
 OptionValue
 Thickness()
 {
-  return Value<ExtractOptions>(
+  return OfLengths(Value<ExtractOptions>(
     [](ExtractOptions & options, const std::string & text) {
       options.thickness =
         ToLower(text) == AutomaticThickness ? std::nullopt : std::optional<double>(ToLength(text, " or auto"));
     },
     [](const ExtractOptions & options) {
       return options.thickness ? std::optional<std::string>(FormatNumber(*options.thickness)) : std::nullopt;
-    });
+    }));
 }
 
 bool
@@ -72,7 +72,7 @@ AddThickness(std::vector<OptionRow> & rows)
               Choice<ModuleOptions, Mode>(&ModuleOptions::thicknessMode,
                                           { { "Automatic", Mode::Automatic }, { "Fixed", Mode::Fixed } }) });
   AddRow(rows, "--thickness", "T", Thickness())
-    .OfJobs(Sheets)
+    .OfJobs(Sheets, "Method")
     .Help("Thickness of the walls, or auto (default: auto)",
           "In units of the spacing; greater than 0. A number gives all cells the same threshold.")
     .Python(Extract | Mesh)
@@ -86,15 +86,14 @@ AddThickness(std::vector<OptionRow> & rows)
         "",
         Length(&ModuleOptions::thickness) });
   AddRow(rows, "--min-thickness", "T", Length(&ExtractOptions::minimumThickness))
-    .OfJobs(Sheets)
-    .Formerly("--minimum-thickness")
+    .OfJobs(Sheets, "Method")
+    .Hidden()
     .Help("auto: thinner walls count as this (default: " + fewest + " voxels)",
           "In units of the spacing. Needs the thickness auto.")
     .Needs("the thickness auto", IsAutomatic)
     .Python(Extract | Mesh);
   AddRow(rows, "--max-thickness", "T", Length(&ExtractOptions::maximumThickness))
-    .OfJobs(Sheets)
-    .Formerly("--maximum-thickness")
+    .OfJobs(Sheets, "Method")
     .Help(
       "auto: thickest wall to be a sheet (default: " + most + ")",
       "In units of the spacing. Needs the thickness auto. The default is doubled where walls need it. Time and memory "
@@ -110,7 +109,8 @@ AddNoise(std::vector<OptionRow> & rows)
   const std::string pores = std::to_string(Parameters::DefaultMaximumPoreSize);
   const std::string largest = std::to_string(LargestPoreSize);
   AddRow(rows, "--max-pore-size", "K", Count(&ExtractOptions::maximumPoreSize, 0, LargestPoreSize))
-    .OfJobs(Sheets)
+    .OfJobs(Sheets, "Method")
+    .Hidden()
     .Help("Largest pore or grain left out (auto: " + pores + ", else 0)",
           "In voxels, from 0 to " + largest +
             ". Cavities and grains of up to this size are taken for noise; 0 keeps all.")
@@ -129,7 +129,7 @@ AddNoise(std::vector<OptionRow> & rows)
          "--smooth",
          "KIND",
          Choice(&ExtractOptions::smoothing, { Smoothing::Automatic, Smoothing::On, Smoothing::Off }))
-    .OfJobs(Sheets)
+    .OfJobs(Sheets, "Method")
     .Help(
       "Noise of the object: smooth it away?",
       "on: smooth the values when one threshold is given, otherwise the mask; edges and thin walls stay in place. "
@@ -156,17 +156,16 @@ AddDistances(std::vector<OptionRow> & rows)
   using Boundary = itk::MedialVoxelBoundary;
   using Region = itk::MedialVoxelRegion;
   AddRow(rows, "--boundary", "KIND", Choice(&DistanceOptions::boundary, { Boundary::Object, Boundary::Background }))
-    .Of(Distance)
+    .Of(Distance, "Method")
     .Help("Boundary that the vectors lead to",
           "object: border voxels of the object, as ITK's SignedMaurer. background: voxels beside it.")
     .Python(Distance);
   AddRow(rows, "--region", "PART", Choice(&DistanceOptions::region, { Region::Both, Region::Inside, Region::Outside }))
-    .Of(Distance)
+    .Of(Distance, "Method")
     .Help("Voxels with a vector")
     .Python(Distance);
   AddRow(rows, "--max-distance", "X", Length(&DistanceOptions::maximumDistance, ToDistance))
-    .Of(Distance)
-    .Formerly("--maximum-distance")
+    .Of(Distance, "Method")
     .Help("Voxels farther than this become NaN", "In units of the spacing; greater than 0. Default: none.")
     .Python(Distance);
 }
@@ -180,7 +179,8 @@ AddSheetRows(std::vector<OptionRow> & rows)
   AddNoise(rows);
   AddDistances(rows);
   AddRow(rows, "--voxel-units", "", Flag(&JobOptions::voxelUnits))
-    .OfJobs(Sheets | Distance)
+    .OfJobs(Sheets | Distance, "Method")
+    .Hidden()
     .Help("Lengths are in voxels, not in units of the spacing",
           "Coordinates and thickness of meshes stay in units of the spacing.")
     .Python(Extract | Mesh | Distance)

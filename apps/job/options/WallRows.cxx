@@ -14,7 +14,9 @@ namespace
 
 using namespace Commands;
 
-constexpr const char * Walls = "Wall thickness";
+constexpr const char * Walls = "Outputs";
+
+constexpr const char * Places = "Options";
 
 constexpr const char * Outputs = "Further outputs";
 
@@ -46,7 +48,8 @@ Method(LocalThicknessMethod TOptions::* member)
 OptionValue
 PlacesBeyond(std::optional<PlaceLimits> ExtractOptions::* member, PlaceKind kind)
 {
-  return Value(member, [kind](const std::string & text) { return ToPlaceLimits(text, kind); }, FormatPlaceLimits);
+  return OfLengths(
+    Value(member, [kind](const std::string & text) { return ToPlaceLimits(text, kind); }, FormatPlaceLimits));
 }
 
 void
@@ -79,6 +82,7 @@ AddLocalThickness(std::vector<OptionRow> & rows)
   const std::string methodHelp = "Of walls, or of largest balls";
   AddRow(rows, "--local-thickness-method", "KIND", Method(&ExtractOptions::localThicknessMethod))
     .OfJobs(Extractions, Walls)
+    .Hidden()
     .Help(
       methodHelp,
       "wall: thickness, as in --thickness-map, of the wall whose ball is the largest that covers the voxel; NaN in "
@@ -88,25 +92,30 @@ AddLocalThickness(std::vector<OptionRow> & rows)
     .Slicer({ Outputs, "localThicknessMethod", "Local thickness method", "" });
   AddRow(rows, "--local-thickness-method", "KIND", Method(&PartOptions::localThicknessMethod))
     .Of(Surface, Walls)
+    .Hidden()
     .Help(
       methodHelp,
       "wall: thickness of the wall whose ball is the largest that covers the object voxel beside the vertex; NaN in "
       "edges and corners that no wall covers. sphere: diameter of the largest ball inside the object that does.")
     .Python(Surface);
   using Task = itk::MedialVoxelLocalThickness;
-  const std::string ballHelp = "Its largest value (default: " + FormatNumber(Task::DefaultVoxels) + " voxels)";
+  const std::string ballHelp =
+    "Largest ball of the local thickness (default: " + FormatNumber(Task::DefaultVoxels) + " voxels)";
   const std::string most = "In units of the spacing; at most " + FormatNumber(Task::MostVoxels) + " voxels. ";
   AddRow(rows, "--largest-ball", "T", Length(&ExtractOptions::largestBall))
     .OfJobs(Extractions, Walls)
+    .Hidden()
     .Help(ballHelp, most + "Larger balls are cut to it. Time and memory grow with it.")
     .Slicer({ Outputs, "largestBall", "Largest ball", "" });
   AddRow(rows, "--largest-ball", "T", Length(&PartOptions::largestBall))
     .Of(Surface, Walls)
+    .Hidden()
     .Help(ballHelp, most + "Larger balls are cut to it, and longer rays have no answer. Time and memory grow with it.")
     .Python(Surface);
   AddRow(rows, "--max-pore-size", "K", Count(&PartOptions::maximumPoreSize, 0, LargestPoreSize))
     .Of(Surface, Walls)
-    .Help("Largest pore or grain left out of it (default: " +
+    .Hidden()
+    .Help("Largest pore or grain that is not measured (default: " +
             std::to_string(itk::MedialVoxelParameters::DefaultMaximumPoreSize) + ")",
           "In voxels, from 0 to " + std::to_string(LargestPoreSize) +
             ". Pores and grains of up to this size stay in the surface; 0 measures beside them.");
@@ -123,6 +132,7 @@ AddGrayValues(std::vector<OptionRow> & rows)
   using Optional = std::optional<bool>;
   AddRow(rows, "--sub-voxel", "", Flag(&ExtractOptions::subVoxel))
     .OfJobs(Sheets, Walls)
+    .HiddenIn(Extractions)
     .Help(
       "Measure walls on gray values; =off: on the object",
       "Fits blurred walls to the values where the scan has walls of 5 voxels; otherwise finds where values cross the "
@@ -142,8 +152,8 @@ AddGrayValues(std::vector<OptionRow> & rows)
                                          { { "Automatic", std::nullopt }, { "On", true }, { "Off", false } }) });
   AddRow(rows, "--materials", "B,M", Value(&ExtractOptions::materials, ToLevels, FormatLevels))
     .OfJobs(Extractions, Walls)
-    .Formerly("--levels")
-    .Help("Values of background and material for that",
+    .Hidden()
+    .Help("Values of background and material for --sub-voxel",
           "Default: those of the scan. Needs one threshold, which is between them; M is in the object.")
     .Needs("sub-voxel measures", MayBeSubVoxel)
     .Python(Extract)
@@ -155,6 +165,7 @@ AddGrayValues(std::vector<OptionRow> & rows)
         "scan" });
   AddRow(rows, "--thickness-csv", "FILE", File(&ExtractOptions::thicknessCsvFile))
     .OfJobs(Extractions, Walls)
+    .Hidden()
     .Help("Histogram of the thickness (.csv)", "A line for each bin: thickness, cells, area of the sheet.");
 }
 
@@ -162,7 +173,7 @@ void
 AddPlaces(std::vector<OptionRow> & rows)
 {
   AddRow(rows, "--thin-below", "T,G", PlacesBeyond(&ExtractOptions::thinBelow, PlaceKind::Thin))
-    .OfJobs(Extractions, Walls)
+    .OfJobs(Extractions, Places)
     .Help(
       "List places thinner than T, grown to G",
       "T or T,G in units of the spacing; greater than 0. A place is connected medial cells with walls thinner than G, "
@@ -170,7 +181,7 @@ AddPlaces(std::vector<OptionRow> & rows)
       "have holes. Not with --labels.")
     .Slicer({ Outputs, "thinBelow", "Thin below", "" });
   AddRow(rows, "--thick-above", "T,G", PlacesBeyond(&ExtractOptions::thickAbove, PlaceKind::Thick))
-    .OfJobs(Extractions, Walls)
+    .OfJobs(Extractions, Places)
     .Help("List places thicker than T, grown to G",
           "T or T,G in units of the spacing; default of G: 0.875 T. Walls thicker than --max-thickness have no medial "
           "cells.")
@@ -180,13 +191,13 @@ AddPlaces(std::vector<OptionRow> & rows)
               "The same for thicker walls; by default places grow to 0.875 times as much" });
   const char * const places = "--thin-below or --thick-above";
   AddRow(rows, "--min-place-area", "A", Length(&ExtractOptions::minimumPlaceArea, ToLengthOrNone))
-    .OfJobs(Extractions, Walls)
-    .Formerly("--smallest-place")
-    .Help("Least area of these places",
+    .OfJobs(Extractions, Places)
+    .Hidden()
+    .Help("Least area of thin and of thick places",
           "In squared units of the spacing; default: that of ten faces of voxels. 0 keeps all.")
     .Needs(places, ListsPlaces);
   AddRow(rows, "--places", "FILE", File(&ExtractOptions::placesFile))
-    .OfJobs(Extractions, Walls)
+    .OfJobs(Extractions, Places)
     .Help(
       "Table of these places (.csv)",
       "The 10000 largest of each kind, the largest first: area, cells, thickness; position and index of the thinnest "
@@ -194,7 +205,7 @@ AddPlaces(std::vector<OptionRow> & rows)
     .Needs(places, ListsPlaces)
     .Slicer({ Outputs, "placesFile", "Places", "", SlicerFile(".csv"), "output" });
   AddRow(rows, "--fail-if-thin", "", Flag(&ExtractOptions::failsIfThin))
-    .OfJobs(Extractions, Walls)
+    .OfJobs(Extractions, Places)
     .Help("Exit status 5 if thin, 6 if not measured",
           "6: there are no thin places, but too little was measured to know. All outputs are written. Needs "
           "--thin-below.")
@@ -209,6 +220,11 @@ AddWallRows(std::vector<OptionRow> & rows)
   AddMaps(rows);
   AddLocalThickness(rows);
   AddGrayValues(rows);
+}
+
+void
+AddPlaceRows(std::vector<OptionRow> & rows)
+{
   AddPlaces(rows);
 }
 

@@ -3,7 +3,6 @@
 #include "OutputSet.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 
 namespace medialvoxel
@@ -12,7 +11,8 @@ namespace medialvoxel
 VoxelOutput &
 OutputSet::AddVolume(const VolumeRequest & request)
 {
-  VoxelOutput & volume = this->TakeVolume(request.role, MakeVoxelOutput(request.fileName, m_Options));
+  VoxelOutput & volume =
+    this->TakeVolume(request.role, MakeVoxelOutput(request.fileName, m_Options), request.isPublished);
   volume.Create(request.geometry, request.layout);
   if (m_WritesBehind)
   {
@@ -22,18 +22,18 @@ OutputSet::AddVolume(const VolumeRequest & request)
 }
 
 VoxelOutput &
-OutputSet::TakeVolume(const std::string & role, std::unique_ptr<VoxelOutput> volume)
+OutputSet::TakeVolume(const std::string & role, std::unique_ptr<VoxelOutput> volume, bool isPublished)
 {
-  m_Roles.push_back(role);
-  m_Volumes.push_back(std::move(volume));
-  return *m_Volumes.back();
+  m_Volumes.push_back({ role, std::move(volume), isPublished });
+  return *m_Volumes.back().output;
 }
 
 const VoxelOutput *
 OutputSet::FindVolume(const std::string & role) const
 {
-  const auto found = std::find(m_Roles.begin(), m_Roles.end(), role);
-  return found == m_Roles.end() ? nullptr : m_Volumes[static_cast<std::size_t>(found - m_Roles.begin())].get();
+  const auto found =
+    std::find_if(m_Volumes.begin(), m_Volumes.end(), [&role](const Volume & volume) { return volume.role == role; });
+  return found == m_Volumes.end() ? nullptr : found->output.get();
 }
 
 OutputFile *
@@ -60,9 +60,9 @@ OutputSet::AddFile(const std::string & fileName)
 void
 OutputSet::FinishVolumes()
 {
-  for (const auto & volume : m_Volumes)
+  for (const Volume & volume : m_Volumes)
   {
-    volume->Finish();
+    volume.output->Finish();
   }
 }
 
@@ -75,7 +75,7 @@ OutputSet::Publish()
   }
   for (auto volume = m_Volumes.rbegin(); volume != m_Volumes.rend(); ++volume)
   {
-    (*volume)->Publish();
+    volume->isPublished ? volume->output->Publish() : void();
   }
 }
 

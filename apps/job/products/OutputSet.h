@@ -55,15 +55,21 @@ public:
 protected:
   /** Takes a volume that is there. */
   VoxelOutput &
-  TakeVolume(const std::string & role, std::unique_ptr<VoxelOutput> volume);
+  TakeVolume(const std::string & role, std::unique_ptr<VoxelOutput> volume, bool isPublished = true);
 
 private:
-  const JobOptions &                        m_Options;
-  bool                                      m_WritesBehind;
-  std::string                               m_Suffix;
-  std::vector<std::string>                  m_Roles;
-  std::vector<std::unique_ptr<VoxelOutput>> m_Volumes;
-  std::vector<std::unique_ptr<OutputFile>>  m_Files;
+  struct Volume
+  {
+    std::string                  role;
+    std::unique_ptr<VoxelOutput> output;
+    bool                         isPublished;
+  };
+
+  const JobOptions &                       m_Options;
+  bool                                     m_WritesBehind;
+  std::string                              m_Suffix;
+  std::vector<Volume>                      m_Volumes;
+  std::vector<std::unique_ptr<OutputFile>> m_Files;
 };
 
 } // end namespace medialvoxel

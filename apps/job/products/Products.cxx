@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Products.h"
 
+#include "MeshPlacement.h"
 #include "Outputs.h"
 #include "Report.h"
 #include "ResultViews.h"
@@ -130,12 +131,28 @@ MakeVolumes(const TOptions & options, const VolumeHeader & header)
   return products;
 }
 
+/** Labels that pictures are drawn of, which nobody asked for. */
+std::unique_ptr<Product>
+MakeDrawnLabels(const ExtractOptions & options, const VolumeHeader & header)
+{
+  const std::string & file = options.previewFile.empty() ? options.htmlFile : options.previewFile;
+  ExtractOptions      drawn;
+  drawn.output = GetScratchFolder(options, file) / (std::filesystem::path(file).filename().string() + ".labels.mha");
+  VolumeRequest request = ListVolumes(drawn, header).front();
+  request.isPublished = false;
+  return std::make_unique<VolumeProduct>(options, std::move(request));
+}
+
 } // namespace
 
 ProductList
 MakeProducts(const ExtractOptions & options, const VolumeHeader & header)
 {
   ProductList products = MakeVolumes(options, header);
+  if (options.output.empty() && PictureRow.IsWanted(options))
+  {
+    products.push_back(MakeDrawnLabels(options, header));
+  }
   // Each may use the previous ones.
   for (const ProductRow * const row :
        { &MeshRow, &StatisticsRow, &PictureRow, &PlaceRow, &PageRow, &ReportRow, &ParameterRow })

@@ -60,6 +60,17 @@ FormatShareOf(const Values & values)
   return all > 0.0 ? FormatFixed(100.0 * GetNumber(*values.front()) / all, 2) + " %" : "-";
 }
 
+/** A count of voxels as a share of a volume, by its size. */
+std::string
+FormatFilled(const Values & values)
+{
+  const auto volume =
+    std::accumulate(values[1]->begin(), values[1]->end(), 1.0, [](double product, const Json & length) {
+      return product * GetNumber(length);
+    });
+  return FormatFixed(100.0 * GetNumber(*values.front()) / volume, 2) + " %";
+}
+
 /** The largest of them. */
 std::string
 FormatLargest(const Values & values)
@@ -125,12 +136,13 @@ struct Format
   std::string (*make)(const Values &);
 };
 
-const std::array<Format, 18> Formats{ {
+const std::array<Format, 19> Formats{ {
   { "", [](const Values & values) { return FormatPlain(*values.front()); } },
   { "short", FormatLargest },
   { "rough", [](const Values & values) { return FormatShort(GetNumber(*values.front()), 3); } },
   { "fixed", [](const Values & values) { return FormatFixed(GetNumber(*values.front()), 2); } },
   { "percent", FormatShareOf },
+  { "filled", FormatFilled },
   { "share", FormatShare },
   { "count", FormatCount },
   { "size", [](const Values & values) { return std::to_string(values.front()->size()); } },

@@ -70,8 +70,10 @@ CheckBackground(const JobOptions & options, const JobResult & result)
                           " voxels were small pores, taken for noise; a maximum pore size of 0 keeps them",
                         { { "filled_voxels", static_cast<double>(counts.filledVoxels) } } };
   }
+  const bool isChosen = options.lowerThreshold || options.upperThreshold || options.label;
   return WarningText{ "the volume has no background" + DescribeResampling(result.input) +
-                        ", so the object has no boundary: all values are " + DescribeObject(options),
+                        ", so the object has no boundary: all values are " + DescribeObject(options) +
+                        (isChosen ? "" : "; a scan of gray values needs a lower threshold"),
                       {} };
 }
 

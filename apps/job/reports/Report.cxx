@@ -7,6 +7,7 @@
 #include "Version.h"
 #include "VolumeFormats.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace medialvoxel
@@ -204,6 +205,36 @@ AddRaisedMaximum(Json & parameters, const ExtractOptions & options, const JobRes
   parameters["raised_from"] = isRaised ? Json(maximum) : Json(nullptr);
 }
 
+/** The share of the object that has no sheet near, and that of the sheet in places. */
+void
+AddShares(Json & report, const itk::MedialVoxelGrid & grid)
+{
+  const Json   thickness = report["thickness"];
+  const auto   get = [&thickness](const char * name) { return thickness[name].get<double>(); };
+  const double area = get("area") * get("one_cell_of");
+  double       volume = report["counts"]["object_voxels"].get<double>();
+  for (const double spacing : grid.GetSpacing())
+  {
+    volume *= spacing;
+  }
+  report["share_without_sheet"] = nullptr;
+  if (!thickness["mean"].is_null())
+  {
+    // Cells without a thickness have walls, too. Walls overlap where they bend, so that they may be more than the
+    // object.
+    const double cells = (get("cells") + get("unpaired_cells") + get("unresolved_cells")) / get("cells");
+    report["share_without_sheet"] = std::max(1.0 - area * cells * get("mean") / volume, 0.0);
+  }
+  for (const char * const kind : { "thin", "thick" })
+  {
+    const Json::json_pointer path("/places/" + std::string(kind));
+    if (report.contains(path) && !report[path].is_null())
+    {
+      report[path]["share_of_sheet"] = area > 0.0 ? report[path]["area_beyond_limit"].get<double>() / area : 0.0;
+    }
+  }
+}
+
 } // namespace
 
 Json
@@ -247,13 +278,14 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   report["roughness"] = MakeRoughness(result.roughness);
   report["measure"] = MakeMeasure(result);
   report["thickness"] = result.thickness;
-  if (!options.localThicknessFile.empty())
-  {
-    report["local_thickness"] = MakeLocalThickness(options, result);
-  }
   if (!result.places.empty())
   {
     report["places"] = MakePlacesJson(result.places);
+  }
+  AddShares(report, GetGrid(options, result.input));
+  if (!options.localThicknessFile.empty())
+  {
+    report["local_thickness"] = MakeLocalThickness(options, result);
   }
   if (!result.objects.is_null())
   {

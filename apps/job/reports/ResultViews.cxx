@@ -36,9 +36,8 @@ std::string
 OfSurface(const std::string & path)
 {
   const std::string percentile = "{short " + path + ".percentiles.";
-  return "[" + path + ".mean?mean {short " + path + ".mean}, median " + percentile +
-         "50}, 5 to 95 % of the area: " + percentile + "5} to " + percentile + "95}, in {unit}][!" + path +
-         ".mean?not known anywhere]";
+  return "[" + path + ".mean?5 %: " + percentile + "5}, median " + percentile + "50}, 95 %: " + percentile +
+         "95}, in {unit}, by area][!" + path + ".mean?not known anywhere]";
 }
 
 /** The text of a count of cells among all candidates. */
@@ -53,9 +52,9 @@ std::string
 OfPlaces(const std::string & kind, const std::string & side, const std::string & extreme)
 {
   const std::string path = "places." + kind;
-  return "{" + path + ".number}, area {short " + path + ".area_beyond_limit} " + side + " {short " + path + ".limit}[" +
-         path + ".places?, the largest {short " + path + ".places.0.area_beyond_limit} with " + extreme + " {short " +
-         path + ".places.0." + extreme + "}]";
+  return "{" + path + ".number}, area {short " + path + ".area_beyond_limit} " + side + " {short " + path +
+         ".limit}, {percent " + path + ".share_of_sheet} of the sheet[" + path + ".places?, the largest {short " +
+         path + ".places.0.area_beyond_limit} with " + extreme + " {short " + path + ".places.0." + extreme + "}]";
 }
 
 } // namespace
@@ -66,11 +65,8 @@ ListViewRows()
   static const std::vector<ViewRow> rows{
     { PageInput, "", "file", "{name input.file}" },
     { PageInput, "", "format", "{input.format}" },
-    { Tables | PageInput, "", "resolution", "{times size}" },
-    { Tables,
-      "parameters.resampled_spacing",
-      "  resampled",
-      "from {times input.size} at {times input.spacing} to {times parameters.resampled_spacing}" },
+    { DistanceTable, "", "volume", "{times size}" },
+    { PageInput, "", "resolution", "{times size}" },
     { PageInput,
       "",
       "spacing",
@@ -78,11 +74,6 @@ ListViewRows()
       "[!parameters.resampled_spacing?{times input.spacing}][input.unit? {input.unit}]" },
     { PageInput, "", "type", "{input.type}" },
 
-    { ExtractTable, "", "tau", "{parameters.thickness}[!parameters.thickness=auto? {unit}]" },
-    { ExtractTable | SurfaceTable,
-      "parameters.raised_from",
-      "walls up to",
-      "{short parameters.max_thickness} {unit}, raised from {short parameters.raised_from} as walls are thicker" },
     { PageParameters, "", "thickness (tau)", "{parameters.thickness}" },
     { PageParameters, "parameters.max_thickness", "minimum thickness", "{short parameters.min_thickness}" },
     { PageParameters,
@@ -90,18 +81,17 @@ ListViewRows()
       "maximum thickness",
       "{short parameters.max_thickness}[parameters.raised_from?, raised from {short parameters.raised_from}]" },
     { PageParameters, "", "lengths in", "{unit}" },
-    { Tables, "parameters.lower_otsu", "lower threshold", "{parameters.lower}, of Otsu" },
     { PageParameters,
       "",
       "lower threshold",
       "[parameters.lower?{parameters.lower}][!parameters.lower?none][parameters.lower_otsu? (otsu)]" },
     { PageParameters, "", "upper threshold", "[parameters.upper?{parameters.upper}][!parameters.upper?none]" },
-    { Tables, "parameters.label", "label", "{parameters.label}" },
     { PageParameters, "", "label", "[parameters.label?{parameters.label}][!parameters.label?none]" },
 
+    { PartTables, "", "object", "{counts.object_voxels} voxels, {filled counts.object_voxels size} of {times size}" },
     { ExtractTable,
       "passes",
-      "objects",
+      "  objects",
       "{size objects} in {passes} pass[!passes=1?es], {shared_cells} cells medial for several" },
     { ExtractTable,
       "",
@@ -109,29 +99,22 @@ ListViewRows()
       "[name?{name}: ]{voxels} voxels, {medial_cells} medial cells[thickness.mean?, mean thickness {short "
       "thickness.mean}]",
       "/objects" },
-    { ExtractTable, "", "object voxels", "{counts.object_voxels}" },
     { SlicerLines, "", "objectVoxels", "{counts.object_voxels}" },
-    { Tables,
-      "counts.not_a_number_voxels>0",
-      "not a number",
-      "{counts.not_a_number_voxels} voxels, taken as background" },
-    { ExtractTable | PageParameters,
+    { PageParameters,
       "smoothed|roughness",
       "smoothed",
       "[smoothed?yes][!smoothed?no][roughness?, roughness {percent roughness.ratio}]" },
     { PageParameters, "!smoothed&!roughness", "smoothed", "no" },
     { PageParameters, "", "largest pores left out", "{parameters.max_pore_size} voxels" },
-    { PartTables, "counts.filled_voxels>0", "pores", "{counts.filled_voxels} voxels, taken as object" },
-    { PartTables, "counts.removed_voxels>0", "dust", "{counts.removed_voxels} voxels, taken as background" },
-
-    { ExtractTable, "", "candidate cells", "{counts.candidate_cells}" },
-    { ExtractTable, "", "  trivial", OfCells("trivial") },
-    { ExtractTable, "", "  medial by bound", OfCells("bound") },
-    { ExtractTable, "", "  medial by geodesic", OfCells("geodesic_medial") },
-    { ExtractTable, "", "  non-medial by geodesic", OfCells("geodesic_non_medial") },
-    { ExtractTable, "", "medial cells", "{counts.medial_cells}" },
-    { ExtractTable, "", "pseudo", "[percent.pseudo?{fixed percent.pseudo} %][!percent.pseudo?-]" },
-    { ExtractTable, "", "correct", "[percent.correct?{fixed percent.correct} %][!percent.correct?-]" },
+    { LongTable, "", "tau", "{parameters.thickness}[!parameters.thickness=auto? {unit}]" },
+    { LongTable, "", "candidate cells", "{counts.candidate_cells}" },
+    { LongTable, "", "  trivial", OfCells("trivial") },
+    { LongTable, "", "  medial by bound", OfCells("bound") },
+    { LongTable, "", "  medial by geodesic", OfCells("geodesic_medial") },
+    { LongTable, "", "  non-medial by geodesic", OfCells("geodesic_non_medial") },
+    { LongTable, "", "medial cells", "{counts.medial_cells}" },
+    { LongTable, "", "pseudo", "[percent.pseudo?{fixed percent.pseudo} %][!percent.pseudo?-]" },
+    { LongTable, "", "correct", "[percent.correct?{fixed percent.correct} %][!percent.correct?-]" },
     { SlicerLines, "", "candidateCells", "{counts.candidate_cells}" },
     { SlicerLines, "", "trivialCells", "{counts.trivial}" },
     { SlicerLines, "", "boundCells", "{counts.bound}" },
@@ -141,30 +124,43 @@ ListViewRows()
     { SlicerLines, "", "pseudoPercent", "[percent.pseudo?{percent.pseudo}][!percent.pseudo?nan]" },
     { SlicerLines, "", "correctPercent", "[percent.correct?{percent.correct}][!percent.correct?nan]" },
 
+    { ExtractTable, "!thickness.mean", "walls", "none with a thickness" },
     { ExtractTable,
       "thickness.mean",
-      "wall thickness",
-      "mean {short thickness.mean}, median {short thickness.percentiles.50}, 5 to 95 %: {short "
-      "thickness.percentiles.5} "
-      "to {short thickness.percentiles.95}, in {unit}" },
+      "walls",
+      "[thickness.minimum?thinnest {short thickness.minimum}, ]5 %: {short thickness.percentiles.5}, median {short "
+      "thickness.percentiles.50}, 95 %: {short thickness.percentiles.95}[thickness.maximum?, thickest {short "
+      "thickness.maximum}], in {unit}, by area" },
     { ExtractTable,
-      "thickness.mean&thickness.standard_error",
-      "  sample",
-      "one medial cell in {thickness.one_cell_of}, standard error of the mean {short thickness.standard_error}" },
-    { ExtractTable,
+      "thickness.mean",
+      "  measured",
+      std::string(MeasureText) +
+        "[measure.uncertainty?; half of the walls within {short measure.uncertainty.percentiles.50} (95 %)]"
+        "[thickness.standard_error?; a sample, one of {thickness.one_cell_of}]" },
+    { LongTable,
+      "thickness.mean",
+      "  mean",
+      "{short thickness.mean}[thickness.standard_error?, standard error {short thickness.standard_error}], standard "
+      "deviation {short thickness.standard_deviation}, area {short thickness.area}" },
+    { LongTable,
       "thickness.mean",
       "  at rims, junctions",
       "{count thickness.unpaired_cells thickness.unpaired_cells thickness.unresolved_cells thickness.cells}" },
-    { ExtractTable,
+    { LongTable,
       "thickness.mean&thickness.unresolved_cells>0",
       "  not resolved",
       "{count thickness.unresolved_cells thickness.unpaired_cells thickness.unresolved_cells thickness.cells}" },
-    { ExtractTable, "thickness.mean", "  measured", MeasureText },
-    { ExtractTable,
+    { LongTable,
       "thickness.mean&measure.uncertainty",
       "  uncertainty (95 %)",
       "median {short measure.uncertainty.percentiles.50}, 95 % of cells up to {short "
       "measure.uncertainty.percentiles.95}" },
+    { ExtractTable, "places.thin", "thin places", OfPlaces("thin", "below", "minimum") },
+    { ExtractTable, "places.thick", "thick places", OfPlaces("thick", "above", "maximum") },
+    { ExtractTable,
+      "thickness.mean",
+      "no wall",
+      "{percent share_without_sheet} of the object: edges and lumps, where no sheet is near" },
     { PageThickness, "thickness.minimum", "smallest", "{short thickness.minimum}" },
     { PageThickness, "", "{@} % of the area up to", "{short .}", "/thickness/percentiles" },
     { PageThickness, "thickness.maximum", "largest", "{short thickness.maximum}" },
@@ -183,8 +179,6 @@ ListViewRows()
       "mean {short local_thickness.mean}, standard deviation {short local_thickness.standard_deviation}, largest "
       "{short "
       "local_thickness.largest}, in {unit}, of {local_thickness.voxels} object voxels" },
-    { ExtractTable, "places.thin", "thin places", OfPlaces("thin", "below", "minimum") },
-    { ExtractTable, "places.thick", "thick places", OfPlaces("thick", "above", "maximum") },
 
     { ExtractTable, "mesh", "mesh", "{mesh.vertices} vertices, {mesh.faces} faces" },
     { ExtractTable,
@@ -214,21 +208,21 @@ ListViewRows()
       "  walls left out",
       "{mesh.remeshing.walls_left_out} of {mesh.remeshing.walls}, {percent mesh.remeshing.left_out.area_share} of the "
       "area[mesh.remeshing.left_out.walls?, the largest {mesh.remeshing.left_out.walls.0.reason}]" },
-    { ExtractTable, "mesh.remeshing", "  orientation conflicts", "{mesh.remeshing.orientation_conflicts}" },
+    { LongTable, "mesh.remeshing", "  orientation conflicts", "{mesh.remeshing.orientation_conflicts}" },
     { ExtractTable, "mesh.quality", "  triangles", "{count mesh.quality.triangles mesh.faces} of the elements" },
-    { ExtractTable, "mesh.quality", "  quadrilaterals", "{mesh.quality.quadrilaterals}" },
-    { ExtractTable, "mesh.quality", "  sides of one element", "{mesh.quality.rim_sides}" },
-    { ExtractTable, "mesh.quality", "  sides of more than two", "{mesh.quality.junction_sides}" },
-    { ExtractTable, "mesh.quality", "  walls", "{mesh.quality.walls}" },
-    { ExtractTable, "mesh.quality", "  walls with one side only", "{mesh.quality.one_sided_walls}" },
-    { ExtractTable, "mesh.quality", "  least scaled Jacobian", "{short mesh.quality.least_scaled_jacobian}" },
-    { ExtractTable, "mesh.quality", "  largest aspect ratio", "{short mesh.quality.largest_aspect_ratio}" },
-    { ExtractTable,
+    { LongTable, "mesh.quality", "  quadrilaterals", "{mesh.quality.quadrilaterals}" },
+    { LongTable, "mesh.quality", "  sides of one element", "{mesh.quality.rim_sides}" },
+    { LongTable, "mesh.quality", "  sides of more than two", "{mesh.quality.junction_sides}" },
+    { LongTable, "mesh.quality", "  walls", "{mesh.quality.walls}" },
+    { LongTable, "mesh.quality", "  walls with one side only", "{mesh.quality.one_sided_walls}" },
+    { LongTable, "mesh.quality", "  least scaled Jacobian", "{short mesh.quality.least_scaled_jacobian}" },
+    { LongTable, "mesh.quality", "  largest aspect ratio", "{short mesh.quality.largest_aspect_ratio}" },
+    { LongTable,
       "mesh.quality",
       "  warpage",
       "{short mesh.quality.largest_warpage} degrees at most, of 99 % up to {short "
       "mesh.quality.warpage_percentile_99}" },
-    { ExtractTable,
+    { LongTable,
       "mesh.quality",
       "  angles",
       "{short mesh.quality.least_angle} to {short mesh.quality.largest_angle} degrees" },
@@ -249,7 +243,7 @@ ListViewRows()
       "area",
       "{short surface.area}[surface.cap_area>0?, of which {short surface.cap_area} close it at the volume's faces]" },
     { SurfaceTable, "surface.volume", "volume", "{short surface.volume}" },
-    { SurfaceTable, "", "wall thickness", OfSurface("surface.thickness") },
+    { SurfaceTable, "", "walls", OfSurface("surface.thickness") },
     { SurfaceTable, "", "  of", "[local_thickness.method=wall?walls][local_thickness.method=sphere?largest balls]" },
     { SurfaceTable, "", "  measured", MeasureText },
     { SurfaceTable, "", "  not known", "{count surface.thickness.unknown_vertices surface.vertices} of the vertices" },
@@ -266,14 +260,34 @@ ListViewRows()
       "colors",
       "from {short surface.color_range.0} to {short surface.color_range.1}" },
 
-    { ExtractTable | DistanceTable, "", "distance", OverThreads("distance") },
-    { ExtractTable, "", "classification", OverThreads("classification") },
-    { SurfaceTable, "", "thickness", OverThreads("distance") },
-    { ExtractTable, "mesh.remeshing", "remeshing", "{fixed seconds.remeshing} s" },
-    { Tables, "", "reading and writing", "{fixed seconds.input_output} s" },
-    { Tables, "", "total", "{fixed seconds.total} s" },
-    { Tables, "", "peak memory", "{bytes peak_memory_bytes}, planned {bytes planned_peak_bytes}" },
-    { Tables, "", "{@}", "{.}", "/outputs" },
+    { PartTables,
+      "",
+      "decided",
+      "[smoothed?smoothed][!smoothed?not smoothed][roughness? (roughness {percent roughness.ratio})]"
+      "[parameters.max_thickness?, walls up to {short parameters.max_thickness}]"
+      "[parameters.raised_from?, raised from {short parameters.raised_from} as walls are thicker]"
+      "[counts.filled_voxels>0?, pores of {counts.filled_voxels} voxels filled]"
+      "[counts.removed_voxels>0?, dust of {counts.removed_voxels} voxels left out]" },
+    { Tables, "parameters.lower_otsu", "  threshold", "{parameters.lower}, of Otsu" },
+    { Tables,
+      "parameters.resampled_spacing",
+      "  resampled",
+      "from {times input.size} at {times input.spacing} to {times parameters.resampled_spacing}" },
+    { Tables,
+      "counts.not_a_number_voxels>0",
+      "  not a number",
+      "{counts.not_a_number_voxels} voxels, taken as background" },
+    { LongTable, "", "distance", OverThreads("distance") },
+    { LongTable, "seconds.classification>0", "classification", OverThreads("classification") },
+    { LongTable, "mesh.remeshing", "remeshing", "{fixed seconds.remeshing} s" },
+    { LongTable, "", "reading and writing", "{fixed seconds.input_output} s" },
+    { LongTable, "", "total", "{fixed seconds.total} s" },
+    { LongTable, "", "peak memory", "{bytes peak_memory_bytes}, planned {bytes planned_peak_bytes}" },
+    { Tables, "outputs", "files", "[outputs:[!#=1?, ]{.}]" },
+    { Tables,
+      "",
+      "run",
+      "{fixed seconds.total} s with {threads} thread[!threads=1?s], {bytes peak_memory_bytes} of memory" },
     { SlicerLines, "", "distanceSeconds", "{seconds.distance}" },
     { SlicerLines, "", "classificationSeconds", "{seconds.classification}" },
     { SlicerLines, "", "totalSeconds", "{seconds.total}" },
@@ -291,12 +305,12 @@ ListViewRows()
 }
 
 TextTable
-MakeTable(const Views view, const Json & report)
+MakeTable(const unsigned int views, const Json & report)
 {
   TextTable table;
   for (const ViewRow & row : ListViewRows())
   {
-    if ((row.views & view) == 0 || (!row.condition.empty() && !Holds(row.condition, report)))
+    if ((row.views & views) == 0 || (!row.condition.empty() && !Holds(row.condition, report)))
     {
       continue;
     }

@@ -18,7 +18,8 @@ enum Views : unsigned int
   ExtractTable = 1 << 0, ///< of the terminal
   SurfaceTable = 1 << 1,
   DistanceTable = 1 << 2,
-  PageInput = 1 << 3, ///< and further tables of the page
+  LongTable = 1 << 10, ///< what it has beside with --phases
+  PageInput = 1 << 3,  ///< and further tables of the page
   PageParameters = 1 << 4,
   PageThickness = 1 << 5,
   PageLocalThickness = 1 << 6,
@@ -40,9 +41,9 @@ struct ViewRow
 const std::vector<ViewRow> &
 ListViewRows();
 
-/** Names and values that a view shows of a report. */
+/** Names and values that views show of a report. */
 TextTable
-MakeTable(Views view, const Json & report);
+MakeTable(unsigned int views, const Json & report);
 
 /** The return parameters of a module of 3D Slicer, a line each. */
 std::string

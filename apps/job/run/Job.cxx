@@ -25,6 +25,7 @@
 
 #include "itkMultiThreaderBase.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -44,7 +45,13 @@ CheckFormats(const ExtractOptions & options)
   {
     GetMeshFormat(options.meshFile);
   }
-  if (!options.output.empty() || options.meshFile.empty())
+  const auto & kinds = ListOutputKinds(options);
+  if (!options.failsIfThin &&
+      std::all_of(kinds.begin(), kinds.end(), [&](const auto & kind) { return (options.*kind.option).empty(); }))
+  {
+    Fail(ExitStatus::Usage, "no output is asked for; give OUTPUT, or an option with a file such as --html part.html");
+  }
+  if (!options.output.empty())
   {
     FindOutputFormat(options.output);
   }

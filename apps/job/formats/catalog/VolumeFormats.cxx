@@ -207,9 +207,9 @@ FindReadFormat(const std::filesystem::path & fileName)
   }
   RefuseExtension(
     fileName,
-    JoinExtensions(ListInputExtensions(), ", ") +
-      " are read, series of slices by their folder or a pattern such as 'scan/*.png', and headerless files "
-      "with --raw-size and --raw-type");
+    "headerless files are read with --raw-size and --raw-type, series of slices by their folder or a pattern such as "
+    "'scan/*.png', and files that end with " +
+      JoinExtensions(ListInputExtensions(), ", "));
 }
 
 void
