@@ -55,6 +55,15 @@ class ProgressTest(ProgramTestCase):
         self.assert_fractions([line["progress"] for line in lines[1:-1]])
         self.assertTrue(out.startswith("object"))
 
+    def test_elements_of_a_mesh_have_a_share(self):
+        """The run over the volume is half of the work: it does not end near 1."""
+        command = [PROGRAM, "mesh", "in.mha", "m.inp", "--lower", "72", "--progress", "json"]
+        result = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, check=True)
+        lines = [json.loads(line) for line in result.stderr.splitlines()]
+        fractions = [line["progress"] for line in lines if "progress" in line]
+        self.assert_fractions(fractions)
+        self.assertLess(max(b - a for a, b in zip(fractions, fractions[1:])), 0.4)
+
     def test_styles_that_say_nothing_in_short_runs(self):
         for style in ("plain", "none", "auto"):
             self.assertEqual(self.run_style(style)[1], "")

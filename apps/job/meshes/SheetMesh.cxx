@@ -56,12 +56,6 @@ GetSpacing(const VolumeGeometry & geometry)
   return { { geometry.spacing[0], geometry.spacing[1], geometry.spacing[2] } };
 }
 
-bool
-IsRemeshed(const ExtractOptions & options)
-{
-  return options.elementSize.kind != ElementSize::Kind::Voxel;
-}
-
 /** Vertices of a surface that is planned for. */
 std::uint64_t
 GetPlannedVertices(const VolumeGeometry & geometry)
@@ -164,11 +158,12 @@ SheetMesh::Write(OutputFile &                        file,
 const MeshSpool &
 SheetMesh::Finish(std::uint64_t memoryLimit, unsigned int threads, const std::function<void(double)> & progress)
 {
+  const auto check = [&progress](double) { progress(0.0); };
   if (m_Passes)
   {
     m_Passes->Finish();
     const auto objectOf = [](const MeshSpool::Vertex & vertex) { return vertex.object; };
-    m_Spool = SortMesh(std::move(m_Spool), objectOf, m_ObjectLabels.size(), m_Cleaning.scratchFolder, progress).surface;
+    m_Spool = SortMesh(std::move(m_Spool), objectOf, m_ObjectLabels.size(), m_Cleaning.scratchFolder, check).surface;
   }
   else
   {
@@ -177,7 +172,7 @@ SheetMesh::Finish(std::uint64_t memoryLimit, unsigned int threads, const std::fu
   if (m_Cleaning.IsOn())
   {
     m_Cleaning.memoryLimit += memoryLimit;
-    m_Cleaning.progress = progress;
+    m_Cleaning.progress = check;
     m_Spool = CleanSheet(std::move(m_Spool), m_Cleaning, m_Pieces);
   }
   if (IsRemeshed(m_Options))

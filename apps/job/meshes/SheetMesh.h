@@ -95,6 +95,13 @@ public:
   const MeshSpool &
   Finish(std::uint64_t memoryLimit, unsigned int threads, const std::function<void(double)> & progress);
 
+  /** Whether faces get the size of elements at the end. */
+  static bool
+  IsRemeshed(const ExtractOptions & options)
+  {
+    return options.elementSize.kind != ElementSize::Kind::Voxel;
+  }
+
   /** Memory of a run over a part with thin walls. Scratch files are planned for a vertex and a face for each 64
    * voxels; denser sheets take more. */
   static ProductFootprint

@@ -217,18 +217,28 @@ RemeshSheet(std::unique_ptr<MeshSpool>         surface,
   const double area = GetArea(*surface);
   const double fineSide =
     std::sqrt(area / static_cast<double>(std::max<std::uint64_t>(1, surface->GetNumberOfFaces())));
-  SheetRemeshing settings = remeshing;
+  // Shares of the progress, about, of what comes before the step that is done.
+  constexpr double coarsening = 0.3;
+  constexpr double remeshingOfAll = 0.5;
+  double           share = 0.0;
+  SheetRemeshing   settings = remeshing;
+  settings.progress = [&](double) { remeshing.progress(share); };
   settings.threads = GetThreads(remeshing);
   settings.size.noise = NoiseOfSide * fineSide;
   const SheetCoarsening                    fine(std::move(surface), settings);
   std::vector<itk::MedialVoxelWallLeftOut> wallsLeftOut;
   const auto                               coarse = fine.Coarsen(wallsLeftOut);
+  share = coarsening;
   CheckMemory(*coarse, remeshing.memoryLimit);
   std::vector<std::uint32_t> objects;
-  MeshReader                 reader(*coarse, remeshing.progress);
+  MeshReader                 reader(*coarse, settings.progress);
   const auto                 runTasks = MakeRunner(settings);
-  auto sheet = itk::MedialVoxelRemesh(ReadSheet(reader, objects), settings.size, remeshing.progress, runTasks);
-  auto result = std::make_unique<MeshSpool>(remeshing.scratchFolder, coarse->GetPrecision());
+  const auto                 tell = [&](const double fraction) {
+    share = std::max(share, coarsening + remeshingOfAll * fraction);
+    remeshing.progress(share);
+  };
+  auto               sheet = itk::MedialVoxelRemesh(ReadSheet(reader, objects), settings.size, tell, runTasks);
+  auto               result = std::make_unique<MeshSpool>(remeshing.scratchFolder, coarse->GetPrecision());
   std::vector<Index> places;
   fine.FitWalls(sheet, settings.size.noise, runTasks);
   fine.MeasureDistances(sheet, sheet.summary);

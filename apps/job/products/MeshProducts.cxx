@@ -29,6 +29,12 @@ public:
     footprint.needsSlices = true;
   }
 
+  double
+  GetShareOfEnd() const override
+  {
+    return SheetMesh::IsRemeshed(m_Options) ? 0.5 : 0.0;
+  }
+
   void
   Start(ProductStart & start) override
   {

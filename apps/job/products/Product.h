@@ -38,7 +38,7 @@ struct ProductEnd
 {
   const OutputSet &           outputs;  ///< whose volumes are finished
   InputVolume *               input;    ///< as at the start
-  std::function<void(double)> progress; ///< may throw to stop
+  std::function<void(double)> progress; ///< of the end alone; may throw to stop
 };
 
 /** The interfaces of a product that a run serves; null: absent. */
@@ -67,6 +67,13 @@ public:
   virtual void
   AddTo(Footprint &, const VolumeHeader &) const
   {}
+
+  /** Of the progress of a run, about: what Complete() takes. */
+  virtual double
+  GetShareOfEnd() const
+  {
+    return 0.0;
+  }
 
   /** Makes the observers of the run. */
   virtual void

@@ -358,12 +358,31 @@ Job::Measure(const ReadObserver & observer)
   }
 }
 
+double
+Job::GetShareOfEnd() const
+{
+  double share = 0.0;
+  for (const auto & product : products)
+  {
+    share = std::max(share, product->GetShareOfEnd());
+  }
+  return share;
+}
+
 void
 Job::Finish(OutputSet & outputs, ProgressSink & sink, const JobEnd & end)
 {
   const std::size_t told = result.warnings.size();
   outputs.FinishVolumes();
-  const ProductEnd complete{ outputs, end.input, [&sink](double) { ThrowIfStopRequested(sink); } };
+  double           done = 0.0;
+  const ProductEnd complete{ outputs, end.input, [&, share = this->GetShareOfEnd()](const double fraction) {
+                              ThrowIfStopRequested(sink);
+                              if (share > 0.0 && fraction > done)
+                              {
+                                done = std::min(fraction, 1.0);
+                                sink.Report(1.0 - share + share * done);
+                              }
+                            } };
   for (const auto & product : products)
   {
     product->Complete(result, complete);

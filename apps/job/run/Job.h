@@ -103,6 +103,10 @@ struct Job
   std::unique_ptr<InputVolume> volume;                    ///< once it is prepared
   double                       shareOfPreparation{ 0.0 }; ///< of the progress
 
+  /** Of the progress, when it ends with Finish(). */
+  double
+  GetShareOfEnd() const;
+
 private:
   std::unique_ptr<InputVolume>
   OpenVolume() const;

@@ -59,7 +59,7 @@ JobRun::JobRun(Job & job, OutputSet & outputs, ProgressSink & sink)
   , m_Loop(job.result.plan, job.result.input, static_cast<unsigned int>(job.tasks.size()), sink)
   , m_Writer(job.result.plan.writesBehind)
 {
-  m_Loop.SetInput(*m_Input, job.shareOfPreparation);
+  m_Loop.SetInput(*m_Input, job.shareOfPreparation, job.GetShareOfEnd());
   const JobResult & planned = job.result;
   const auto        balls = MakeBalls(job);
   for (const JobTask & task : job.tasks)

@@ -82,7 +82,7 @@ PieceLoop::GetObserver()
     const double voxels = static_cast<double>(m_DoneVoxels) + fraction * static_cast<double>(m_VoxelsOfRange);
     const double all = static_cast<double>(m_SlicesToDo * m_EnginesPerPiece * m_RunsPerPiece);
     const double done = voxels / (all * static_cast<double>(m_VoxelsPerSlice));
-    m_Sink.Report(m_ShareOfPreparation + (1.0 - m_ShareOfPreparation) * done);
+    m_Sink.Report(m_ShareOfPreparation + (1.0 - m_ShareOfPreparation - m_ShareOfEnd) * done);
     return m_Sink.IsStopRequested();
   };
 }

@@ -27,12 +27,13 @@ public:
   PieceObserver
   GetObserver();
 
-  /** What the engines read, and the share of the progress that preparing it was. */
+  /** What the engines read, and the shares of the progress that preparing it was, and that comes after the loop. */
   void
-  SetInput(const InputVolume & input, double shareOfPreparation)
+  SetInput(const InputVolume & input, double shareOfPreparation, double shareOfEnd)
   {
     m_Input = &input;
     m_ShareOfPreparation = shareOfPreparation;
+    m_ShareOfEnd = shareOfEnd;
   }
 
   /** Runs a piece and has its results written, in smaller ones when the walls need more memory than results of this
@@ -98,6 +99,7 @@ private:
 
   const InputVolume * m_Input{ nullptr };
   double              m_ShareOfPreparation{ 0.0 };
+  double              m_ShareOfEnd{ 0.0 };
   std::uint64_t       m_DoneVoxels{ 0 };
   std::uint64_t       m_VoxelsOfRange{ 0 };
   double              m_FractionOfRange{ 0.0 }; // that is done
