@@ -229,6 +229,8 @@ class Places:
         Of places, and of their cells, also of those that are not listed.
     area, area_beyond_limit : float
         Of all of them.
+    share_of_sheet : float
+        `area_beyond_limit`, of the area of the sheet.
     smaller : int
         Places that are left out because they are smaller.
     places : list[Place]
@@ -242,6 +244,7 @@ class Places:
     cells: int
     area: float
     area_beyond_limit: float
+    share_of_sheet: float
     smaller: int
     places: list[Place]
 
