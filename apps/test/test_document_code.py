@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: MedialVoxel contributors
 # SPDX-License-Identifier: Apache-2.0
-"""Blocks of shell and Python in the documents run as they stand, each in a new folder with a part and a headerless scan."""
+"""Blocks of shell and Python in the documents run as they stand, one after the other: those of a page in a new folder with
+a part, a label map and a headerless scan, and those of all pages in one folder."""
 
 import importlib.util
 import json
@@ -42,18 +43,6 @@ NOT_RUN = (
     ("doc/how-to/jobs.md", "medialvoxel plan part.mha medial.mha job --divisions 64", "test_job_recipes runs it"),
 )
 
-# Page, begin of the block, what it expects to be there.
-PREPARED = {
-    ("doc/how-to/jobs.md", "medialvoxel work job --log-file"): "medialvoxel plan part.mha medial.mha job --lower 72",
-    ("doc/how-to/label-maps.md", "medialvoxel extract segments.mha"): "cp part.mha segments.mha",
-    ("doc/how-to/label-maps.md", "medialvoxel extract scan.seg.nrrd"): "medialvoxel extract part.mha scan.seg.nrrd",
-    ("doc/how-to/label-maps.md", "python3 -c"): "medialvoxel extract part.mha x.mha --labels all --report report.json",
-    ("doc/how-to/wall-thickness.md", "medialvoxel extract part.mha fine.mha"): "cp gray.mha part.mha",
-    ("doc/how-to/wall-thickness.md", "awk -F,"): "medialvoxel extract part.mha x.mha --lower 72 --thickness-csv thickness.csv",
-    ("doc/how-to/large-volumes.md", "import zarr"): "medialvoxel extract part.mha part.ome.zarr --lower 72",
-}
-
-
 def all_blocks():
     """Page, language and text of each block, without the indentation that it has in a list."""
     for path in [*sorted(SOURCE.glob("*.md")), *sorted((SOURCE / "doc").rglob("*.md"))]:
@@ -61,9 +50,9 @@ def all_blocks():
             yield path.relative_to(SOURCE).as_posix(), language, re.sub(rf"^{indent}", "", text, flags=re.MULTILINE)
 
 
-def row_of(rows, page, text):
-    """The row of a table that the block belongs to."""
-    return next((row for row in rows if row[0] == page and text.startswith(row[1])), None)
+def row_of(page, text):
+    """The row of NOT_RUN that the block belongs to."""
+    return next((row for row in NOT_RUN if row[0] == page and text.startswith(row[1])), None)
 
 
 def missing_modules(text):
@@ -74,11 +63,12 @@ def missing_modules(text):
 class DocumentCodeTest(ProgramTestCase):
     def setUp(self):
         super().setUp()
-        volumes.write_meta(self.folder / "part.mha", volumes.box_with_plate((60, 50, 40)))
+        volumes.write_meta(self.folder / "part.mha", volumes.blurred_wall(7))
+        volumes.write_meta(self.folder / "segments.mha", volumes.box_with_plate((60, 50, 40)))
         volumes.write_raw(self.folder / "scan.raw", volumes.box_with_plate((60, 50, 40)).as_type("uint16"))
-        volumes.write_meta(self.folder / "gray.mha", volumes.blurred_wall(7))
         path = [str(pathlib.Path(name).parent) for name in (PROGRAM, MODULE)]
         self.environment = {**os.environ, "PATH": os.pathsep.join([*path, os.environ["PATH"]])}
+        self.run_block("sh", "medialvoxel extract segments.mha scan.seg.nrrd --quiet")
 
     def run_block(self, language, text):
         shell = ["bash", "-e", "-u", "-o", "pipefail", "-c"]
@@ -92,8 +82,8 @@ class DocumentCodeTest(ProgramTestCase):
     def test_each_row_is_of_a_block(self):
         blocks = list(all_blocks())
         self.assertGreater(len(blocks), 30)
-        for page, begin, *_ in [*NOT_RUN, *PREPARED]:
-            self.assertTrue(any(row_of([(page, begin)], name, text) for name, _, text in blocks), (page, begin))
+        for page, begin, _ in NOT_RUN:
+            self.assertTrue(any(page == name and text.startswith(begin) for name, _, text in blocks), (page, begin))
 
     def test_the_notebook_was_run_from_its_first_to_its_last_cell(self):
         cells = [cell for cell in json.loads(NOTEBOOK.read_text(encoding="utf-8"))["cells"] if cell["cell_type"] == "code"]
@@ -114,29 +104,35 @@ class DocumentCodeTest(ProgramTestCase):
         self.assertEqual(printed, "".join("".join(output["text"]) for output in outputs))
 
 
-def add_test(number, page, language, text):
+def reason_to_skip(page, language, text):
+    row = row_of(page, text)
+    missing = missing_modules(text) if language == "python" else []
+    if row:
+        return row[2]
+    if "--memory" in text and os.environ.get("MEDIALVOXEL_SANITIZED"):
+        return "the checks of a sanitizer multiply memory"
+    if missing:
+        return f"not installed: {', '.join(missing)}"
+    if "import itk" in text and not hasattr(__import__("itk"), "MedialVoxelImageFilter"):
+        return "the wheel itk-medialvoxel is not installed"
+    return None
+
+
+def add_test(name, blocks):
     def test(self):
-        reason = row_of(NOT_RUN, page, text)
-        if reason:
-            self.skipTest(reason[2])
-        if "--memory" in text and os.environ.get("MEDIALVOXEL_SANITIZED"):
-            self.skipTest("the checks of a sanitizer multiply memory")
-        missing = missing_modules(text) if language == "python" else []
-        if missing:
-            self.skipTest(f"not installed: {', '.join(missing)}")
-        if "import itk" in text and not hasattr(__import__("itk"), "MedialVoxelImageFilter"):
-            self.skipTest("the wheel itk-medialvoxel is not installed")
-        preparation = row_of(PREPARED, page, text)
-        if preparation:
-            self.run_block("sh", PREPARED[preparation])
-        self.run_block(language, text)
+        for page, language, text in blocks:
+            with self.subTest(page=page, block=text.splitlines()[0]):
+                reason = reason_to_skip(page, language, text)
+                if reason:
+                    self.skipTest(reason)
+                self.run_block(language, text)
 
-    name = f"test_{re.sub(r'[^a-z]+', '_', page.removesuffix('.md').lower())}_{number:02}"
-    setattr(DocumentCodeTest, name, test)
+    setattr(DocumentCodeTest, f"test_{re.sub('[^a-z]+', '_', name.lower())}", test)
 
 
-for block_number, block in enumerate(all_blocks()):
-    add_test(block_number, *block)
+for one_page in sorted({page for page, _, _ in all_blocks()}):
+    add_test(one_page.removesuffix(".md"), [block for block in all_blocks() if block[0] == one_page])
+add_test("all pages in one folder", list(all_blocks()))
 
 
 if __name__ == "__main__":
