@@ -51,7 +51,7 @@ class SmallJobTest(JobTestCase):
             random.Random(seed).shuffle(order)
             for cluster in order[:3]:
                 self.in_target("work", "job", "--clusters", cluster, "--threads", 1 + seed)
-            workers = [self.start("work", "job", "--memory", memory) for memory in ("2G", "72M", "100M")]
+            workers = [self.start("work", "job", "--memory", memory) for memory in ("2G", "78M", "100M")]
             for worker in workers:
                 self.assertEqual(worker.wait(), 0, worker.stderr.read())
             self.assert_finished(expected)
