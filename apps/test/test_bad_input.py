@@ -89,7 +89,7 @@ class BadInputTest(ProgramTestCase):
 
     def test_no_extension(self):
         (self.folder / "in").write_bytes(b"\0")
-        self.assert_refused("in", ["unknown format, its name has no extension; .mha"], USAGE)
+        self.assert_refused("in", ["unknown format, its name has no extension; headerless files", "that end with .mha"], USAGE)
 
     def test_what_is_no_file_is_not_opened(self):
         """A pipe that nobody writes to would block for ever."""

@@ -117,7 +117,7 @@ class GeometryTest(ProgramTestCase):
             length = 500 if unit is None else 0.5
             run = ["l.mha", "--overwrite", "--lower", 50, "--thickness", 3 * length, "--html", "p.html", "--report", "r.json"]
             table = self.run_program("extract", "u.nrrd", *run).stdout
-            self.assertRegex(table, rf"\nwall thickness .*, in {text}\n")
+            self.assertRegex(table, rf"\nwalls .*, in {text}, by area\n")
             self.assertEqual(json.loads((self.folder / "r.json").read_text())["input"]["unit"], unit)
             self.assertIn(f"The scale bar is in {text}.", (self.folder / "p.html").read_text())
             for name in ("m.obj", "m.ply", "m.vtk", "m.vtp", "m.vtu", "m.stl", "m.inp", "m.bdf", "m.k"):
