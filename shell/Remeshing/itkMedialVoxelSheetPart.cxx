@@ -44,7 +44,7 @@ Collect(const MedialVoxelSheet & fine, const Complex & complex)
 }
 
 /** Of the size: sides of the coarse sheet, about as long as what rims are extended by. */
-constexpr double ShareOfCoarse = 0.45;
+constexpr double ShareOfCoarse = 0.4;
 
 /** So many fine sides are sides of the coarse sheet at least, where elements are that large. */
 constexpr double FineSidesOfCoarse = 2.0;
