@@ -178,7 +178,7 @@ class Extraction:
         self.report = self.output.with_name("report.json")
         self.labels = labels
         self.is_checked = labels is None
-        self.command = [common.find_program(build, "medialvoxel"), "extract", volume, self.output]
+        self.command = [common.find_program(build, "medialvoxel"), "extract", volume, self.output, "--phases"]
         self.command += ["--raw-size", size, "--raw-type", pixel_type] if size else []
         self.command += ["--thickness", thickness, "--threads", threads, *options]
         self.command += ["--progress", "none", "--overwrite"]
