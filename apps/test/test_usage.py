@@ -3,6 +3,7 @@
 """Options that are wrong, missing or contradictory: status 2, a message with value and range, nothing written."""
 
 import json
+import re
 import unittest
 
 import volumes
@@ -90,6 +91,10 @@ class UsageTest(ProgramTestCase):
             self.assertEqual(report["parameters"][key], expected)
         thin = json.loads(self.run_program("extract", "in.mha", "--thin-below", "5vx,4mm", *stretched).stdout)["places"]["thin"]
         self.assertEqual((thin["limit"], thin["grow_limit"]), (2.5, 4))
+        for value in ("2vx,8VX", "1,4", "1mm,4mm"):
+            self.run_program("extract", "in.mha", "--html", "p.html", "--color-range", value, "--overwrite", *stretched[:-2])
+            page = (self.folder / "p.html").read_text()
+            self.assertEqual([re.search(rf'"{end}":([\d.]+)', page)[1] for end in ("low", "high")], ["1.0", "4.0"])
         self.run_program("plan", "in.mha", "out.mha", "job", "--thickness", "3vx", *stretched[:-2])
         self.assertIn('"--thickness": "1.5"', (self.folder / "job/manifest.json").read_text())
         for value in ("3v", "vx", "3px", "3 vx", "0vx", "-1mm", "1e30vx"):

@@ -45,13 +45,13 @@ def _as_file(array: ArrayLike, spacing: Any) -> Iterator[tuple[pathlib.Path, int
         yield path, values.ndim
 
 
-def _run(command: str, path: pathlib.Path, output: str, options: dict[str, Any], progress: Progress) -> dict[str, Any]:
+def _run(command: str, files: tuple[pathlib.Path, ...], options: dict[str, Any], progress: Progress) -> dict[str, Any]:
     """The report; messages name the array instead of its file."""
     make_options({name: value for name, value in options.items() if not isinstance(value, bool)})  # refuses empty values
     try:
-        return run_on_files(command, (path, path.with_name(output)), options, progress)
+        return run_on_files(command, files, options, progress)
     except (ValueError, MemoryError) as error:
-        raise type(error)(str(error).replace(os.fspath(path), "array")) from None
+        raise type(error)(str(error).replace(os.fspath(files[0]), "array")) from None
 
 
 @describe
@@ -80,7 +80,7 @@ def thin_places(
         table = path.with_name("places.csv")
         given = {"thin_below": thin_below, "min_place_area": min_place_area, "thickness": thickness}
         given |= {"lower": lower, "upper": upper, "label": label, "places": table, **options}
-        thin = _run("extract", path, "labels.mha", given, progress)["places"]["thin"]
+        thin = _run("extract", (path,), given, progress)["places"]["thin"]
         with table.open(newline="", encoding="utf-8") as file:
             places = [_read_place(row, "zyx"[-dimension:]) for row in csv.DictReader(file)]
     return Places(**{name: value for name, value in thin.items() if name != "places"}, places=places)
@@ -123,8 +123,9 @@ def surface_thickness(
         if dimension != 3:
             raise ValueError(f"the array has {dimension} axes; a surface needs 3")
         given = {"local_thickness_method": method, "lower": lower, "upper": upper, "label": label, **options}
-        report = _run("surface", path, "surface.ply", given, progress)
-        return Mesh(*_read_ply(path.with_name("surface.ply")), lower=report["parameters"]["lower"])
+        surface = path.with_name("surface.ply")
+        report = _run("surface", (path, surface), given, progress)
+        return Mesh(*_read_ply(surface), lower=report["parameters"]["lower"])
 
 
 def _read_ply(path: pathlib.Path) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float32]]:

@@ -143,15 +143,15 @@ def run_on_files(command: str, files: tuple[FileName, ...], options: dict[str, A
 
 
 @describe
-def extract_file(input: FileName, output: FileName, *, progress: Progress = None, **options: Any) -> dict[str, Any]:
-    """The medial cells of a file of any size, as `medialvoxel extract INPUT OUTPUT` writes them.
+def extract_file(input: FileName, output: FileName | None = None, *, progress: Progress = None, **options: Any) -> dict[str, Any]:
+    """The medial cells of a file of any size, as `medialvoxel extract INPUT OUTPUT` writes them; other outputs are options.
 
     Returns
     -------
     dict[str, Any]
         The report, whose keys doc/reference/report.md lists; empty with ``dry_run=True``.
     """
-    return run_on_files("extract", (input, output), options, progress)
+    return run_on_files("extract", (input,) if output is None else (input, output), options, progress)
 
 
 @describe

@@ -3,7 +3,7 @@
 #include "itkMedialVoxelElementSmoothing.h"
 
 #include "itkMedialVoxelComplexDivision.h"
-#include "itkMedialVoxelSheetVectors.h"
+#include "itkMedialVoxelVector3.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "itkMedialVoxelLoneTriangles.h"
 
 #include "itkMedialVoxelSheetTree.h"
-#include "itkMedialVoxelSheetVectors.h"
+#include "itkMedialVoxelVector3.h"
 
 #include <algorithm>
 

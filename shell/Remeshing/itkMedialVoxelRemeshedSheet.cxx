@@ -6,7 +6,7 @@
 #include "itkMedialVoxelRemesher.h"
 #include "itkMedialVoxelSheetHoles.h"
 #include "itkMedialVoxelSheetPart.h"
-#include "itkMedialVoxelSheetVectors.h"
+#include "itkMedialVoxelVector3.h"
 
 #include <algorithm>
 #include <cassert>

@@ -3,7 +3,7 @@
 #include "itkMedialVoxelRemesher.h"
 
 #include "itkMedialVoxelElementQuality.h"
-#include "itkMedialVoxelSheetVectors.h"
+#include "itkMedialVoxelVector3.h"
 
 #include <algorithm>
 #include <cmath>

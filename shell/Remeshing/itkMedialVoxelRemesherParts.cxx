@@ -18,7 +18,8 @@ using Index = MedialVoxelTriangleComplex::Index;
 void
 MedialVoxelRemesher::Run(const MedialVoxelRunTasks & runTasks, std::function<void(double)> progress)
 {
-  // Parts of coarse sheets are as small as the overhead of a part allows, for many threads.
+  // Parts are as small as their overhead allows, for many threads. Shares differ, so that cuts do.
+  // most triangles, share, steps, merges at once, repairs, raises sizes, cleans
   constexpr std::array<Round, 4> rounds{ { { 2048, 0.5, 4, false, 0, true, false },
                                            { 1024, 0.4, 2, true, 4, false, true },
                                            { 1024, 0.3, 0, false, 1, false, true },

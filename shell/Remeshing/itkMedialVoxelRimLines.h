@@ -6,7 +6,7 @@
 #include "itkMedialVoxelElementQuality.h"
 #include "itkMedialVoxelRimExtension.h"
 #include "itkMedialVoxelSheetSides.h"
-#include "itkMedialVoxelSheetVectors.h"
+#include "itkMedialVoxelVector3.h"
 
 namespace itk
 {

@@ -4,7 +4,7 @@
 
 #include "itkMedialVoxelElementQuality.h"
 #include "itkMedialVoxelSheetSides.h"
-#include "itkMedialVoxelSheetVectors.h"
+#include "itkMedialVoxelVector3.h"
 
 #include <cmath>
 #include <unordered_set>

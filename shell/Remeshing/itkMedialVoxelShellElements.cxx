@@ -6,7 +6,7 @@
 #include "itkMedialVoxelElementSmoothing.h"
 #include "itkMedialVoxelLoneTriangles.h"
 #include "itkMedialVoxelPairing.h"
-#include "itkMedialVoxelSheetVectors.h"
+#include "itkMedialVoxelVector3.h"
 
 #include <algorithm>
 #include <cassert>

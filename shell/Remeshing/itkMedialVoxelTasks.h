@@ -35,7 +35,7 @@ MedialVoxelForEachWith(const MedialVoxelRunTasks & runTasks,
                        const TMake &               makeScratch,
                        const TFunction &           function)
 {
-  constexpr std::size_t block = 1024;
+  constexpr std::size_t block = 128;
   runTasks((count + block - 1) / block, [&](const std::size_t task, const std::function<void()> & check) {
     check();
     auto scratch = makeScratch();

@@ -3,7 +3,7 @@
 #include "itkMedialVoxelWallFitting.h"
 
 #include "itkMedialVoxelElementQuality.h"
-#include "itkMedialVoxelSheetVectors.h"
+#include "itkMedialVoxelVector3.h"
 #include "itkMedialVoxelSymmetricEquations.h"
 
 #include <algorithm>

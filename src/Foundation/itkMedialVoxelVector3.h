@@ -37,6 +37,35 @@ MedialVoxelNorm(const MedialVoxelVector3 & a)
   return std::sqrt(MedialVoxelDot(a, a));
 }
 
+/** a + weight * b */
+inline MedialVoxelVector3
+MedialVoxelAddScaled(const MedialVoxelVector3 & a, const MedialVoxelVector3 & b, const double weight)
+{
+  return { { a[0] + weight * b[0], a[1] + weight * b[1], a[2] + weight * b[2] } };
+}
+
+/** Of length 1, unless it is zero. */
+inline MedialVoxelVector3
+MedialVoxelNormalized(const MedialVoxelVector3 & vector)
+{
+  const double length = MedialVoxelNorm(vector);
+  return length > 0.0 ? MedialVoxelAddScaled({}, vector, 1.0 / length) : vector;
+}
+
+inline MedialVoxelVector3
+MedialVoxelMiddle(const MedialVoxelVector3 & a, const MedialVoxelVector3 & b)
+{
+  return { { (a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0, (a[2] + b[2]) / 2.0 } };
+}
+
+/** Of the angle between two vectors; 1 where one of them is zero. */
+inline double
+MedialVoxelCosine(const MedialVoxelVector3 & a, const MedialVoxelVector3 & b)
+{
+  const double lengths = MedialVoxelNorm(a) * MedialVoxelNorm(b);
+  return lengths > 0.0 ? MedialVoxelDot(a, b) / lengths : 1.0;
+}
+
 /** std::floor() of numbers that fit: without vectors of SSE 4.1 the one of the library is a call. */
 inline std::int64_t
 MedialVoxelFloor(const double x)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "MeshElements.h"
 
+#include "itkMedialVoxelVector3.h"
+
 #include <cmath>
 
 namespace medialvoxel
@@ -32,42 +34,26 @@ GetCorners(MeshReader & reader, const MeshFace & face)
   return corners;
 }
 
-Vector
-Subtract(const Vector & a, const Vector & b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-Vector
-Cross(const Vector & a, const Vector & b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double
-Dot(const Vector & a, const Vector & b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /** Twice the area of a triangle as seen along the normal; below zero when it is turned over. */
 double
 GetArea(const Corners & corners, size_t a, size_t b, size_t c, const Vector & normal)
 {
-  return Dot(Cross(Subtract(corners[b], corners[a]), Subtract(corners[c], corners[a])), normal);
+  return itk::MedialVoxelDot(itk::MedialVoxelCross(itk::MedialVoxelSubtract(corners[b], corners[a]),
+                                                   itk::MedialVoxelSubtract(corners[c], corners[a])),
+                             normal);
 }
 
 /** Whether each corner of the quad turns to the left by enough. */
 bool
 IsGoodQuad(const Corners & corners, const Vector & normal)
 {
-  const double length = std::sqrt(Dot(normal, normal));
+  const double length = itk::MedialVoxelNorm(normal);
   for (size_t corner = 0; corner < 4; ++corner)
   {
-    const Vector next = Subtract(corners[(corner + 1) % 4], corners[corner]);
-    const Vector last = Subtract(corners[(corner + 3) % 4], corners[corner]);
-    const double limit = SmallestSine * std::sqrt(Dot(next, next)) * std::sqrt(Dot(last, last)) * length;
-    if (!(Dot(Cross(next, last), normal) > limit))
+    const Vector next = itk::MedialVoxelSubtract(corners[(corner + 1) % 4], corners[corner]);
+    const Vector last = itk::MedialVoxelSubtract(corners[(corner + 3) % 4], corners[corner]);
+    const double limit = SmallestSine * itk::MedialVoxelNorm(next) * itk::MedialVoxelNorm(last) * length;
+    if (!(itk::MedialVoxelDot(itk::MedialVoxelCross(next, last), normal) > limit))
     {
       return false;
     }
@@ -85,9 +71,9 @@ GetTriangles(MeshReader & reader, const MeshFace & face)
     return OneTriangle;
   }
   const Corners corners = GetCorners(reader, face);
-  const Vector  first = Subtract(corners[2], corners[0]);
-  const Vector  second = Subtract(corners[3], corners[1]);
-  return Dot(second, second) < Dot(first, first) ? AlongSecond : AlongFirst;
+  const Vector  first = itk::MedialVoxelSubtract(corners[2], corners[0]);
+  const Vector  second = itk::MedialVoxelSubtract(corners[3], corners[1]);
+  return itk::MedialVoxelDot(second, second) < itk::MedialVoxelDot(first, first) ? AlongSecond : AlongFirst;
 }
 
 std::uint8_t
@@ -111,7 +97,8 @@ GetElements(MeshReader & reader, const MeshFace & face)
     return OneTriangle;
   }
   const Corners corners = GetCorners(reader, face);
-  const Vector  normal = Cross(Subtract(corners[2], corners[0]), Subtract(corners[3], corners[1]));
+  const Vector  normal = itk::MedialVoxelCross(itk::MedialVoxelSubtract(corners[2], corners[0]),
+                                              itk::MedialVoxelSubtract(corners[3], corners[1]));
   if (IsGoodQuad(corners, normal))
   {
     return OneQuad;

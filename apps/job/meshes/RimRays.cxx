@@ -4,6 +4,8 @@
 
 #include "MeshPlacement.h"
 
+#include "itkMedialVoxelVector3.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,33 +20,16 @@ using Vector = std::array<double, 3>;
 /** Steps in smallest spacings. */
 constexpr double StepOfSpacing = 0.25;
 
-Vector
-Cross(const Vector & a, const Vector & b)
-{
-  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
-}
-
-double
-Dot(const Vector & a, const Vector & b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector
-AddScaled(const Vector & a, const Vector & b, const double factor)
-{
-  return { { a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2] } };
-}
-
 /** The vectors whose products with a displacement are its numbers of voxels along the axes. */
 std::array<Vector, 3>
 InvertSteps(const std::array<Vector, 3> & steps)
 {
-  const double          volume = Dot(steps[0], Cross(steps[1], steps[2]));
+  const double          volume = itk::MedialVoxelDot(steps[0], itk::MedialVoxelCross(steps[1], steps[2]));
   std::array<Vector, 3> toIndex;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    toIndex[axis] = AddScaled({}, Cross(steps[(axis + 1) % 3], steps[(axis + 2) % 3]), 1.0 / volume);
+    toIndex[axis] =
+      itk::MedialVoxelAddScaled({}, itk::MedialVoxelCross(steps[(axis + 1) % 3], steps[(axis + 2) % 3]), 1.0 / volume);
   }
   return toIndex;
 }
@@ -61,9 +46,9 @@ GetRimLimits(const VolumeGeometry & geometry)
   itk::MedialVoxelRimLimits limits;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    const double start = Dot(toIndex[axis], placement.origin);
+    const double start = itk::MedialVoxelDot(toIndex[axis], placement.origin);
     limits.push_back({ toIndex[axis], static_cast<double>(size[axis]) - halfVoxel + start });
-    limits.push_back({ AddScaled({}, toIndex[axis], -1.0), halfVoxel - start });
+    limits.push_back({ itk::MedialVoxelAddScaled({}, toIndex[axis], -1.0), halfVoxel - start });
   }
   return limits;
 }
@@ -83,7 +68,7 @@ std::vector<double>
 RimRays::Measure(const itk::MedialVoxelRimRays & rays) const
 {
   const Window        window = this->Read(this->FindBox(rays));
-  const Vector        step = this->ToIndexStep(AddScaled({}, rays.direction, m_Step));
+  const Vector        step = this->ToIndexStep(itk::MedialVoxelAddScaled({}, rays.direction, m_Step));
   std::vector<double> lengths;
   for (const Vector & start : rays.starts)
   {
@@ -95,13 +80,15 @@ RimRays::Measure(const itk::MedialVoxelRimRays & rays) const
 Vector
 RimRays::ToIndexStep(const Vector & vector) const
 {
-  return { { Dot(m_ToIndex[0], vector), Dot(m_ToIndex[1], vector), Dot(m_ToIndex[2], vector) } };
+  return { { itk::MedialVoxelDot(m_ToIndex[0], vector),
+             itk::MedialVoxelDot(m_ToIndex[1], vector),
+             itk::MedialVoxelDot(m_ToIndex[2], vector) } };
 }
 
 Vector
 RimRays::ToIndex(const Vector & point) const
 {
-  return this->ToIndexStep(AddScaled(point, m_Origin, -1.0));
+  return this->ToIndexStep(itk::MedialVoxelAddScaled(point, m_Origin, -1.0));
 }
 
 itk::MedialVoxelBox
@@ -112,7 +99,7 @@ RimRays::FindBox(const itk::MedialVoxelRimRays & rays) const
   {
     for (const double length : { 0.0, rays.most + m_Step }) // the last step may go beyond
     {
-      const Vector index = this->ToIndex(AddScaled(start, rays.direction, length));
+      const Vector index = this->ToIndex(itk::MedialVoxelAddScaled(start, rays.direction, length));
       for (unsigned int axis = 0; axis < 3; ++axis)
       {
         const auto low = static_cast<std::int64_t>(std::floor(index[axis]));
@@ -195,7 +182,7 @@ RimRays::MeasureRay(const Window & window, const Vector & start, const Vector & 
   double before = this->Interpolate(window, start);
   for (double way = 0.0; before >= 0.0 && way < steps; way += 1.0)
   {
-    const double after = this->Interpolate(window, AddScaled(start, step, way + 1.0));
+    const double after = this->Interpolate(window, itk::MedialVoxelAddScaled(start, step, way + 1.0));
     if (after < 0.0)
     {
       return way + before / (before - after);

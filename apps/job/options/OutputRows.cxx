@@ -115,7 +115,8 @@ AddViews(std::vector<OptionRow> & rows)
       "Page with verdict, places, 3-D view (.html)",
       "One file that opens offline: walls, places beyond the limits with a section through each, the sheet in 3-D in "
       "colors of the thickness, and its histogram.");
-  AddRow(rows, "--color-range", "LOW,HIGH", Value(&ExtractOptions::colorRange, ToColorRange, FormatColorRange))
+  AddRow(
+    rows, "--color-range", "LOW,HIGH", OfLengths(Value(&ExtractOptions::colorRange, ToColorRange, FormatColorRange)))
     .OfJobs(Extractions, Group)
     .Help(
       "Thickness that colors of page and picture span",

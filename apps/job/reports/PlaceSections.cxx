@@ -9,6 +9,7 @@
 
 #include "itkMedialVoxelGray.h"
 #include "itkMedialVoxelInput.h"
+#include "itkMedialVoxelVector3.h"
 
 #include <algorithm>
 #include <array>
@@ -20,30 +21,11 @@ namespace medialvoxel
 namespace
 {
 
-using Vector = std::array<double, 3>;
+using Vector = itk::MedialVoxelVector3;
 
 constexpr unsigned int LeastPixels = 32;
 constexpr unsigned int MostPixels = 96;
 constexpr double       MostVoxels = 128.0; ///< from the middle of a section to its edge
-
-double
-Dot(const Vector & a, const Vector & b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/** a + factor * b */
-Vector
-AddScaled(const Vector & a, double factor, const Vector & b)
-{
-  return { a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2] };
-}
-
-Vector
-Normalize(const Vector & vector)
-{
-  return AddScaled({}, 1.0 / std::sqrt(Dot(vector, vector)), vector);
-}
 
 /** A plane in lengths along the axes of the volume, and the pixels on it. */
 struct Plane
@@ -59,7 +41,8 @@ struct Plane
   GetPoint(unsigned int column, unsigned int row) const
   {
     const double half = 0.5 * (pixels - 1);
-    return AddScaled(AddScaled(middle, (column - half) * step, across), (row - half) * step, down);
+    return itk::MedialVoxelAddScaled(
+      itk::MedialVoxelAddScaled(middle, across, (column - half) * step), down, (row - half) * step);
   }
 };
 
@@ -78,11 +61,11 @@ public:
   MakePlane(const WallPlace & place) const
   {
     const Vector a = this->ToLengths(place.sideA);
-    const Vector between = AddScaled(this->ToLengths(place.sideB), -1.0, a);
+    const Vector between = itk::MedialVoxelSubtract(this->ToLengths(place.sideB), a);
     Plane        plane;
-    plane.thickness = std::sqrt(Dot(between, between));
-    plane.middle = AddScaled(a, 0.5, between);
-    plane.across = plane.thickness > 0.0 ? Normalize(between) : Vector{ { 1.0, 0.0, 0.0 } };
+    plane.thickness = itk::MedialVoxelNorm(between);
+    plane.middle = itk::MedialVoxelAddScaled(a, between, 0.5);
+    plane.across = plane.thickness > 0.0 ? itk::MedialVoxelNormalized(between) : Vector{ { 1.0, 0.0, 0.0 } };
     // The axis that is most along the wall, of a plane image the one across it, is across the section.
     unsigned int axis = 2;
     for (const unsigned int other : { 1, 0 })
@@ -92,13 +75,8 @@ public:
     }
     Vector normal{};
     normal[axis] = 1.0;
-    normal = Normalize(AddScaled(normal, -plane.across[axis], plane.across));
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      const unsigned int j = (i + 1) % 3;
-      const unsigned int k = (i + 2) % 3;
-      plane.down[i] = normal[j] * plane.across[k] - normal[k] * plane.across[j];
-    }
+    normal = itk::MedialVoxelNormalized(itk::MedialVoxelAddScaled(normal, plane.across, -plane.across[axis]));
+    plane.down = itk::MedialVoxelCross(normal, plane.across);
     const double reach = std::min(1.25 * plane.thickness + 6.0 * m_Smallest, MostVoxels * m_Smallest);
     plane.pixels = static_cast<unsigned int>(
       std::clamp(std::ceil(4.0 * reach / m_Smallest), double{ LeastPixels }, double{ MostPixels }));
