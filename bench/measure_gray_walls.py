@@ -3,8 +3,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What smoothing, the survey of a scan, fits of walls, local thickness and meshes cost: CPU seconds of one thread.
 
-All ways run in turn, round after round, with --before those of an earlier build between them. Phantoms become scans: blurred by a Gaussian of 0.8 voxels, with white noise of
-10 % of the contrast. Jobs are planned with and without the survey, which tells what it costs.
+All ways run in turn, round after round, with --before those of an earlier build between them. Phantoms become scans:
+blurred by a Gaussian of 0.8 voxels, with white noise of 10 % of the contrast. Jobs are planned with and without the survey,
+which tells what it costs.
 
 Prints a Markdown table and writes one JSON file.
 Usage: bench/measure_gray_walls.py BUILD [--data FOLDER] [options]      needs numpy and scipy; --data: of the real volumes
@@ -12,6 +13,7 @@ Usage: bench/measure_gray_walls.py BUILD [--data FOLDER] [options]      needs nu
 
 import argparse
 import json
+import os
 import pathlib
 import shutil
 import statistics
@@ -30,7 +32,7 @@ REAL = {
     "shell": ("shell.nrrd", b"\n\n", "128,128,225", "uint8", "1,1,1", 65),
     "cranium": ("cranium.mha", b"= LOCAL\n", "256,256,108", "int16", "0.9570312,0.9570312,1.5", 200),
 }
-PHANTOMS = {"gyroid": "512,512,512", "side-frame": "708,965,325", "cover": "1500,1500,668"}
+PHANTOMS = {"gyroid": "256,256,256", "side-frame": "708,965,325", "cover": "1500,1500,668"}
 BACKGROUND, CONTRAST, BLUR, NOISE = 50, 120, 0.8, 0.1
 SLAB = 64
 
@@ -76,7 +78,7 @@ def make_input(arguments, name, scratch):
         file, mark, size, kind, spacing, threshold = REAL[name]
         packed = (arguments.data / file).read_bytes()
         volume.write_bytes(zlib.decompress(packed[packed.index(mark) + len(mark) :], wbits=47))  # zlib or gzip
-        words = ["--raw-spacing", spacing]
+        words = ["--spacing", spacing]
     else:
         mask, size, kind, threshold, words = scratch / "mask.raw", PHANTOMS[name], "uint8", BACKGROUND + CONTRAST // 2, []
         compare_peers.make_phantom(arguments.build, name, (), size, mask, scratch)
@@ -111,7 +113,7 @@ def measure(arguments, name):
         scratch = pathlib.Path(folder)
         words = make_input(arguments, name, scratch)
         case = {"volume": name, "voxels": int(np.prod([int(n) for n in words[2].split(",")]))}
-        case |= describe(programs["cpu_seconds"], words, scratch)
+        case |= describe(programs["cpu_seconds"], words, scratch) | {"load_at_start": round(os.getloadavg()[0], 2)}
         # The uncertainty is that of fits.
         known = [way for way in arguments.ways if way != "with uncertainty" or case["measure"]["on"] == "fits"]
         seconds = {key: {way: [] for way in known} for key in programs}
@@ -148,6 +150,7 @@ def parse_arguments():
     parser.add_argument("--volumes", nargs="+", choices=[*REAL, *PHANTOMS], default=[*REAL, *PHANTOMS], help="default: all")
     parser.add_argument("--ways", nargs="+", choices=WAYS, default=list(WAYS), help="default: all")
     parser.add_argument("--rounds", type=int, default=3, help="default 3")
+    parser.add_argument("--add", action="store_true", help="keep cases of other volumes in the output")
     parser.add_argument("--scratch", type=pathlib.Path, help="folder of the volumes; default: a temporary one")
     parser.add_argument("--output", type=pathlib.Path, default=common.BENCH / "results" / "gray-walls.json")
     return parser.parse_args()
@@ -157,7 +160,8 @@ def main():
     arguments = parse_arguments()
     document = common.describe_run(arguments.build, threads=1, blur=BLUR, noise=NOISE)
     names = [name for name in arguments.volumes if arguments.data or name not in REAL]
-    document["cases"] = [measure(arguments, name) for name in names]
+    kept = json.loads(arguments.output.read_text(encoding="utf-8"))["cases"] if arguments.add else []
+    document["cases"] = [case for case in kept if case["volume"] not in names] + [measure(arguments, name) for name in names]
     arguments.output.write_text(json.dumps(document, indent=2) + "\n", encoding="utf-8")
     print(format_rows(document["cases"]))
 
