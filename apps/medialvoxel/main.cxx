@@ -410,16 +410,17 @@ PointToHelp(const CLI::App * command)
   return std::string(" (see medialvoxel ") + (command != nullptr ? command->get_name() + " " : "") + "--help)";
 }
 
-/** Help and version are results, other ends of the parsing are errors. */
+/** Help and version are results, but not for an unknown command; other ends of the parsing are errors. */
 int
 ReportParsing(const CLI::App & app, const std::vector<std::string> & words, const CLI::ParseError & error)
 {
-  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+  const CLI::App * const command = FindCommand(app, words);
+  const bool             isKnown = command != nullptr || words.empty() || words.front().rfind('-', 0) == 0;
+  if (isKnown && error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
   {
     return app.exit(error);
   }
-  const CLI::App * const command = FindCommand(app, words);
-  std::string            message = DescribeUnknownName(app, words);
+  std::string message = DescribeUnknownName(app, words);
   if (message.empty())
   {
     message = error.what();

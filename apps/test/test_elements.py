@@ -143,8 +143,8 @@ class SolverMeshTest(ProgramTestCase):
             # The larger plate alone: 32 by 32, as large as it is.
             self.assertEqual((report["mesh"]["pieces_left_out"]["number"], report["mesh"]["quality"]["walls"]), (1, 1))
             self.assertAlmostEqual(report["mesh"]["area"], 32 * 32, delta=0.01 * 32 * 32)
-            self.assertRegex(run.stdout, r"\n  small pieces left out +1 of fewer than 100 faces of a voxel, area ")
-            self.assertRegex(run.stdout, r"\n  rims +carried on to the edges of the part by [12]")
+            self.assertRegex(run.stdout, r"\n  walls left out .*; 1 pieces of fewer than 100 faces of a voxel\n")
+            self.assertRegex(run.stdout, r"\ndecided .*, rims carried on to the edges of the part\n")
             asked = (self.folder / name).read_bytes()
             self.report(name, "--extend-rims", "--min-component-size", 100)
             self.assertEqual((self.folder / name).read_bytes(), asked)
@@ -154,7 +154,7 @@ class SolverMeshTest(ProgramTestCase):
     def test_both_can_be_switched_off(self):
         report, run = self.report("m.inp", "--extend-rims=off")
         self.assertIsNone(report["mesh"]["remeshing"]["rims"])
-        self.assertRegex(run.stdout, r"\n  rims +half a thickness before the edges of the part\n")
+        self.assertNotIn("rims carried on", run.stdout)
         self.assertLess(report["mesh"]["area"], 29 * 29)
         report, run = self.report("m.inp", "--min-component-size", 0)
         self.assertIsNone(report["mesh"]["pieces_left_out"])

@@ -54,6 +54,8 @@ class UsageTest(ProgramTestCase):
     def test_missing_and_unknown_arguments(self):
         self.assert_usage(["subcommand"])
         self.assert_usage(["'Extract' is not a command; did you mean extract?"], "Extract", "in.mha", "out.mha")
+        self.assert_usage(["'mash' is not a command; did you mean mesh?"], "help", "mash")
+        self.assert_usage(["'mash' is not a command; did you mean mesh?"], "mash", "--help")
         self.assert_usage(["'finalise' is not a command; did you mean finalize?"], "finalise", "job")
         self.assert_usage(["'convert' is not a command (see"], "convert", "in.mha")
         self.assert_usage(["'check' has left the program", "python -m medialvoxel check"], "check", "shell.inp", "--json")

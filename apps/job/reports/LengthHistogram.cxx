@@ -81,12 +81,6 @@ LengthHistogram::GetMinimum() const
 }
 
 double
-LengthHistogram::GetMaximum() const
-{
-  return m_Total == 0 ? 0.0 : static_cast<double>(m_Numbers.size() - 1) * m_BinWidth;
-}
-
-double
 LengthHistogram::GetPercentile(const double percent) const
 {
   if (!(percent >= 0.0) || percent > 100.0)

@@ -14,8 +14,8 @@ namespace medialvoxel
  * \brief Counts lengths, rounded to multiples of a bin width, and derives their statistics.
  *
  * It keeps whole numbers in fixed bins. Their sums do not depend on the order, so every division of the work gives
- * the same bits; sums of lengths would not. The price is the rounding: percentiles, minimum and maximum are
- * multiples of the width, and the mean is off by less than half of it, mostly far less. Bins are centered on the
+ * the same bits; sums of lengths would not. The price is the rounding: percentiles are multiples
+ * of the width, and the mean is off by less than half of it, mostly far less. Bins are centered on the
  * multiples, so whole voxels come out exactly. */
 class LengthHistogram
 {
@@ -66,8 +66,6 @@ public:
   GetStandardDeviation() const;
   double
   GetMinimum() const;
-  double
-  GetMaximum() const;
 
   /** The smallest length that at least \a percent of all lengths do not exceed; \a percent from 0 to 100. */
   double

@@ -180,36 +180,50 @@ ListViewRows()
       "{short "
       "local_thickness.largest}, in {unit}, of {local_thickness.voxels} object voxels" },
 
-    { ExtractTable, "mesh", "mesh", "{mesh.vertices} vertices, {mesh.faces} faces" },
     { ExtractTable,
+      "mesh",
+      "mesh",
+      "{mesh.vertices} vertices, {mesh.faces} faces[mesh.quality?, {percent mesh.quality.triangles mesh.faces} "
+      "triangles; sides "
+      "{short mesh.quality.shortest_side} to {short mesh.quality.longest_side} long, mean {short "
+      "mesh.quality.mean_side}]" },
+    { ExtractTable,
+      "mesh.quality",
+      "  shapes",
+      "of 99 % of the elements: scaled Jacobian {short mesh.quality.limits.1.value}, at least "
+      "{short mesh.quality.limits.1.least}; aspect ratio {short mesh.quality.limits.2.value}, at most "
+      "{short mesh.quality.limits.2.most}" },
+    { LongTable,
       "mesh.pieces_left_out",
       "  small pieces left out",
       "{mesh.pieces_left_out.number} of fewer than {parameters.min_component_size} faces of a voxel, area {short "
       "mesh.pieces_left_out.area}" },
-    { ExtractTable,
+    { LongTable,
       "mesh.remeshing",
       "  rims",
       "[mesh.remeshing.rims?carried on to the edges of the part by {short mesh.remeshing.rims.mean_extension} in the "
       "mean, {short mesh.remeshing.rims.largest_extension} at most][!mesh.remeshing.rims?half a thickness before the "
       "edges of the part]" },
-    { ExtractTable, "mesh.remeshing", "  area", "{short mesh.area} of {short mesh.remeshing.area_before}" },
+    { LongTable, "mesh.remeshing", "  area", "{short mesh.area} of {short mesh.remeshing.area_before}" },
+    { LongTable,
+      "mesh.remeshing",
+      "  farthest from the sheet",
+      "{short mesh.remeshing.distance_to_fine.largest mesh.remeshing.distance_from_fine.largest}" },
     { ExtractTable,
       "mesh.remeshing",
-      "  farthest from the fine surface",
-      "{short mesh.remeshing.distance_to_fine.largest mesh.remeshing.distance_from_fine.largest}, 99 % within {short "
+      "  distance to the sheet",
+      "mean {short mesh.remeshing.mean_distance_elsewhere} on {percent mesh.remeshing.area_share_elsewhere} of the "
+      "area, "
+      "{short mesh.remeshing.mean_distance_at_lines} at rims, junctions and bends; 99 % within {short "
       "mesh.remeshing.distance_to_fine.percentile_99 mesh.remeshing.distance_from_fine.percentile_99}" },
-    { ExtractTable,
-      "mesh.remeshing",
-      "  mean distance to it",
-      "{short mesh.remeshing.mean_distance_elsewhere} on {percent mesh.remeshing.area_share_elsewhere} of the area, "
-      "{short mesh.remeshing.mean_distance_at_lines} at rims, junctions and bends" },
     { ExtractTable,
       "mesh.remeshing",
       "  walls left out",
       "{mesh.remeshing.walls_left_out} of {mesh.remeshing.walls}, {percent mesh.remeshing.left_out.area_share} of the "
-      "area[mesh.remeshing.left_out.walls?, the largest {mesh.remeshing.left_out.walls.0.reason}]" },
+      "area[mesh.remeshing.left_out.walls?, the largest {mesh.remeshing.left_out.walls.0.reason}]"
+      "[mesh.pieces_left_out.number>0?; {mesh.pieces_left_out.number} pieces of fewer than "
+      "{parameters.min_component_size} faces of a voxel]" },
     { LongTable, "mesh.remeshing", "  orientation conflicts", "{mesh.remeshing.orientation_conflicts}" },
-    { ExtractTable, "mesh.quality", "  triangles", "{count mesh.quality.triangles mesh.faces} of the elements" },
     { LongTable, "mesh.quality", "  quadrilaterals", "{mesh.quality.quadrilaterals}" },
     { LongTable, "mesh.quality", "  sides of one element", "{mesh.quality.rim_sides}" },
     { LongTable, "mesh.quality", "  sides of more than two", "{mesh.quality.junction_sides}" },
@@ -226,12 +240,7 @@ ListViewRows()
       "mesh.quality",
       "  angles",
       "{short mesh.quality.least_angle} to {short mesh.quality.largest_angle} degrees" },
-    { ExtractTable,
-      "mesh.quality",
-      "  sides",
-      "{short mesh.quality.shortest_side} to {short mesh.quality.longest_side} long, mean {short "
-      "mesh.quality.mean_side}" },
-    { ExtractTable, "", "  {name}", MeshLimitText, "/mesh/quality/limits" },
+    { LongTable, "", "  {name}", MeshLimitText, "/mesh/quality/limits" },
 
     { SurfaceTable,
       "",
@@ -267,7 +276,8 @@ ListViewRows()
       "[parameters.max_thickness?, walls up to {short parameters.max_thickness}]"
       "[parameters.raised_from?, raised from {short parameters.raised_from} as walls are thicker]"
       "[counts.filled_voxels>0?, pores of {counts.filled_voxels} voxels filled]"
-      "[counts.removed_voxels>0?, dust of {counts.removed_voxels} voxels left out]" },
+      "[counts.removed_voxels>0?, dust of {counts.removed_voxels} voxels left out]"
+      "[mesh.remeshing.rims?, rims carried on to the edges of the part]" },
     { Tables, "parameters.lower_otsu", "  threshold", "{parameters.lower}, of Otsu" },
     { Tables,
       "parameters.resampled_spacing",

@@ -75,8 +75,8 @@ MakeThickness(const ThicknessSums & sums, const Survey & survey)
            { "mean", lengthIf(isKnown, areas.GetMean()) },
            { "standard_error", lengthIf(step > 1, sums.GetStandardErrorOfMean(step)) },
            { "standard_deviation", lengthIf(isKnown, areas.GetStandardDeviation()) },
-           { "minimum", lengthIf(isKnown && step == 1, cells.GetMinimum()) },
-           { "maximum", lengthIf(isKnown && step == 1, cells.GetMaximum()) },
+           { "minimum", lengthIf(isKnown && step == 1, static_cast<double>(sums.GetMinimum())) },
+           { "maximum", lengthIf(isKnown && step == 1, static_cast<double>(sums.GetMaximum())) },
            { "percentiles", MakePercentiles(areas, isKnown) },
            { "histogram", MakeBins(areas, survey.GetAreaUnit()) } };
 }

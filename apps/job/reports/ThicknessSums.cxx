@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ThicknessSums.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace medialvoxel
@@ -26,8 +27,7 @@ ThicknessSums::AddWall(const itk::MedialVoxelWall & wall, const double areaUnit)
     ++m_UnresolvedCells;
     return;
   }
-  this->AddCell(m_Cells.GetBin(static_cast<double>(wall.thickness)),
-                static_cast<std::uint64_t>(std::llround(static_cast<double>(wall.area) / areaUnit)));
+  this->AddCell(wall.thickness, static_cast<std::uint64_t>(std::llround(static_cast<double>(wall.area) / areaUnit)));
   if (!std::isnan(wall.uncertainty))
   {
     m_Uncertainty.Add(m_Uncertainty.GetBin(static_cast<double>(wall.uncertainty)));
@@ -35,12 +35,15 @@ ThicknessSums::AddWall(const itk::MedialVoxelWall & wall, const double areaUnit)
 }
 
 void
-ThicknessSums::AddCell(const std::size_t bin, const std::uint64_t area)
+ThicknessSums::AddCell(const float thickness, const std::uint64_t area)
 {
+  const std::size_t   bin = m_Cells.GetBin(static_cast<double>(thickness));
   const std::uint64_t root = (area + UnitsPerRoot / 2) / UnitsPerRoot;
   m_Cells.Add(bin);
   m_Areas.Add(bin, area);
   m_SquaredAreas += root * root;
+  m_Minimum = std::min(m_Minimum, thickness);
+  m_Maximum = std::max(m_Maximum, thickness);
 }
 
 void
@@ -49,6 +52,8 @@ ThicknessSums::Add(const ThicknessSums & other)
   m_Cells.Add(other.m_Cells);
   m_Areas.Add(other.m_Areas);
   m_SquaredAreas += other.m_SquaredAreas;
+  m_Minimum = std::min(m_Minimum, other.m_Minimum);
+  m_Maximum = std::max(m_Maximum, other.m_Maximum);
   m_UnpairedCells += other.m_UnpairedCells;
   m_Uncertainty.Add(other.m_Uncertainty);
   m_UnresolvedCells += other.m_UnresolvedCells;

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace medialvoxel
 {
@@ -32,10 +33,6 @@ public:
   void
   AddWall(const itk::MedialVoxelWall & wall, double areaUnit);
 
-  /** \param area of a cell, in units */
-  void
-  AddCell(std::size_t bin, std::uint64_t area);
-
   void
   Add(const ThicknessSums & other);
 
@@ -52,6 +49,19 @@ public:
   GetAreas() const
   {
     return m_Areas;
+  }
+
+  /** The thinnest and the thickest wall of a cell, not rounded; infinite and 0 without cells. */
+  float
+  GetMinimum() const
+  {
+    return m_Minimum;
+  }
+
+  float
+  GetMaximum() const
+  {
+    return m_Maximum;
   }
 
   std::uint64_t
@@ -86,15 +96,23 @@ public:
     numbers.Exchange(sums.m_Cells);
     numbers.Exchange(sums.m_Areas);
     numbers.Exchange(sums.m_SquaredAreas);
+    numbers.Exchange(sums.m_Minimum);
+    numbers.Exchange(sums.m_Maximum);
     numbers.Exchange(sums.m_UnpairedCells);
     numbers.Exchange(sums.m_Uncertainty);
     numbers.Exchange(sums.m_UnresolvedCells);
   }
 
 private:
+  /** \param area of a cell, in units */
+  void
+  AddCell(float thickness, std::uint64_t area);
+
   LengthHistogram m_Cells;
   LengthHistogram m_Areas;             ///< in units
   std::uint64_t   m_SquaredAreas{ 0 }; ///< in units of 1024 by 1024, so that 2^40 cells fit
+  float           m_Minimum{ std::numeric_limits<float>::infinity() };
+  float           m_Maximum{ 0.0F };
   std::uint64_t   m_UnpairedCells{ 0 };
   LengthHistogram m_Uncertainty;
   std::uint64_t   m_UnresolvedCells{ 0 };
