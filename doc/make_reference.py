@@ -180,9 +180,9 @@ def make_formats(catalog):
         "After this page you know which files the program reads and writes.\n",
         "## Volumes\n",
         "All are read. Headerless files are read with `--raw-size` and `--raw-type`, series of DICOM, TIFF, PNG, JPEG and BMP slices by\n"
-        "[their folder or a pattern](../how-to/large-volumes.md#series-of-slices).\n",
+        "[their folder or a pattern](../how-to/scans.md#series-of-slices).\n",
         table(["extension", "format", "written", "vectors written", "packed"], volumes),
-        "[Large volumes](../how-to/large-volumes.md#which-files-stream) lists which variants are read and which of them stream.\n"
+        "[Read scans](../how-to/scans.md#which-files-stream) lists which variants are read and which of them stream.\n"
         "A program can be [built without](../getting-started/terminal.md#install) the formats below `.hdr`.\n"
         "TIFF needs a program built with libtiff; Zarr that is packed by Blosc or zstd needs one built with libblosc or libzstd.\n",
         "## Meshes\n",

@@ -31,7 +31,7 @@ NOT_RUN = (
     ("doc/getting-started/slicer.md", "scripts/install-packages build program", "installs packages and builds"),
     ("doc/getting-started/slicer.md", "cmake -S . -B build/extension", "needs a build tree of 3D Slicer"),
     ("doc/getting-started/python.md", "scripts/build-python-wheel", "builds ITK for Python, half an hour"),
-    ("doc/how-to/large-volumes.md", "medialvoxel info scan ", "needs series of slices: test_series runs them"),
+    ("doc/how-to/scans.md", "medialvoxel info scan ", "needs series of slices: test_series runs them"),
     ("doc/how-to/jobs.md", "medialvoxel plan part.mha medial.mha job --memory 4G", "needs Slurm: test_slurm runs such jobs"),
     ("doc/how-to/jobs.md", "sbatch --dependency", "needs Slurm: test_slurm runs such jobs"),
     ("doc/how-to/numpy.md", "pip install ./python", "installs packages and builds"),

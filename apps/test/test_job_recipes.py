@@ -25,8 +25,10 @@ def recipe(title, language):
 class JobRecipesTest(JobTestCase):
     def setUp(self):
         super().setUp()
-        volumes.write_meta(self.target / "part.mha", rough_shell((30, 30, 70)))
-        self.in_target("extract", "part.mha", "../expected.mha")
+        part = rough_shell((30, 30, 70))
+        part.voxels = [100 * value for value in part.voxels]
+        volumes.write_meta(self.target / "part.mha", part)
+        self.in_target("extract", "part.mha", "../expected.mha", "--lower", 72)
 
     def run_in_target(self, *command):
         path = os.pathsep.join([str(pathlib.Path(PROGRAM).parent), os.environ["PATH"]])
