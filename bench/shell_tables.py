@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: MedialVoxel contributors
 # SPDX-License-Identifier: Apache-2.0
-"""Prints the tables of shells in doc/explanation/accuracy.md, of bench/results/shells.json (solve_shells.py)."""
+"""Prints the results of solve_shells.py as tables (bench/results/shells.json, or another file)."""
 
 import json
 import pathlib

@@ -14,17 +14,18 @@ import argparse
 import json
 import pathlib
 import re
+import statistics
 import sys
 
 import measure_automatic
 import print_table
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-DOCUMENTS = ("README.md", "doc/explanation/performance.md", "doc/explanation/thickness.md")
+DOCUMENTS = ("README.md", *(f"doc/explanation/{name}.md" for name in ("accuracy", "performance", "thickness")))
 MARKED = re.compile(r"(<!-- (?:table|number): ([a-z-]+) -->\n?)(.*?)(<!-- end of (?:table|number) -->)", re.DOTALL)
 
-# Smaller volumes than this are left to the file.
-SMALLEST_PEER = 256**3
+# Of phantoms the tables have this size and larger ones than the other; all sizes are in the file.
+SHOWN_SIZE, HIDDEN_SIZE = 256**3, 512**3
 PEERS = {
     "floor": "floor",
     "extract_1": "1 thread",
@@ -56,15 +57,21 @@ CALLS = {
     "medialvoxel.distance, inside": "scipy.ndimage.distance_transform_edt with indices",
     "medialvoxel.local_thickness, at most 16": None,
 }
-LONG_RUNS = {
-    "side frame, thickness 8 / thickness 3": ("side-frame", "thickness 8", "fixed"),
-    "side frame, thickness 12 / thickness 3": ("side-frame", "thickness 12", "fixed"),
-    "cranium, automatic, spacing in mm / in voxels": ("cranium", "automatic", "automatic in voxels"),
+VARIANTS = ("cover, other thickness", "side frame, larger thickness", "gyroid, other spacing")
+GRAY_WAYS = {
+    "labels alone": "labels, `--sub-voxel=off`",
+    "on the object": "map on the object",
+    "fits": "map by fits",
+    "with uncertainty": "map with uncertainty",
+    "local thickness": "local thickness",
+    "mesh": "mesh `.ply`",
+    "surface": "surface",
+    "solver mesh": "solver mesh",
 }
 
 
-def large_volumes(document):
-    return [volume for volume in document["volumes"] if volume["voxels"] >= SMALLEST_PEER]
+def shown_volumes(document):
+    return [volume for volume in document["volumes"] if volume["voxels"] == SHOWN_SIZE or volume["voxels"] > HIDDEN_SIZE]
 
 
 def whole_runs(document):
@@ -77,7 +84,7 @@ def whole_runs(document):
             f"{volume['results']['extract_1']['ns_per_object_voxel']:.0f}",
             f"{volume['results']['extract_2']['peak_bytes']['max'] / 1e6:.0f}",
         ]
-        for volume in large_volumes(document)
+        for volume in shown_volumes(document)
     ]
     return ["part", "voxels", "object", "CPU s, 1 thread", "ns per object voxel", "peak MB, 2 threads"], rows
 
@@ -88,27 +95,18 @@ def peers(document):
 
     rows = [
         [f"{volume['kind']} {print_table.size_of(volume)}", *(cell(volume, name) for name in PEERS)]
-        for volume in large_volumes(document)
+        for volume in shown_volumes(document)
     ]
     return ["part", *PEERS.values()], rows
 
 
 def transform(document):
     def row(name, volume):
-        digits = 2 if volume["results"]["signed_maurer"]["filter_cpu_seconds"]["median"] > 5 else 3
+        seconds = [volume["results"][program]["filter_cpu_seconds"]["median"] for program in ("vector_distance", "signed_maurer")]
+        times = volume["times_as_fast_as_signed_maurer"]["cpu"]
+        return [TRANSFORM_VOLUMES[name], *(f"{value:.2f}" for value in seconds), f"{times:.1f}"]
 
-        def seconds(program, measure):
-            return f"{volume['results'][program][measure]['median']:.{digits}f}"
-
-        times = volume["times_as_fast_as_signed_maurer"]
-        cells = [TRANSFORM_VOLUMES[name]]
-        for measure, key in (("filter_cpu_seconds", "cpu"), ("filter_user_seconds", "user")):
-            cells += [seconds("vector_distance", measure), seconds("signed_maurer", measure), f"{times[key]:.1f}"]
-        return [*cells, f"{volume['voxels_per_cpu_second'] / 1e6:.0f}"]
-
-    header = ["volume", "seconds, all", "SignedMaurer", "times as fast", "seconds in its own code", "SignedMaurer",
-              "times as fast", "Mvoxel per CPU second"]  # fmt: skip
-    return header, [row(name, volume) for name, volume in document["volumes"].items()]
+    return ["volume", "vectors", "SignedMaurer", "times as fast"], [row(*item) for item in document["volumes"].items()]
 
 
 def arrays(document):
@@ -138,53 +136,38 @@ def local_thickness(document):
 def variants(document):
     rows = [
         [
-            title,
-            variant["size"].replace(",", " x "),
+            title.split(",")[0],
+            document["variants"][title]["size"].replace(",", " x "),
             name,
-            f"{result['wall_seconds']['median']:.2f}",
             f"{result['cpu_seconds']['median']:.2f}",
             f"{result['ns_per_candidate_cell']:.0f}",
         ]
-        for title, variant in document["variants"].items()
-        for name, result in variant["results"].items()
+        for title in VARIANTS
+        for name, result in document["variants"][title]["results"].items()
     ]
-    return ["volume", "voxels", "run", "wall s", "CPU s", "ns per candidate cell"], rows
+    return ["volume", "voxels", "run", "CPU s", "ns per candidate cell"], rows
 
 
 def options(document):
     rows = [
-        [
-            way,
-            f"{result['cpu_seconds']['median']:.2f}",
-            f"{result['wall_seconds']['median']:.2f}",
-            f"{result['peak_bytes']['max'] / 2**20:.0f}",
-        ]
+        [way, f"{result['cpu_seconds']['median']:.2f}", f"{result['peak_bytes']['max'] / 2**20:.0f}"]
         for way, result in document["results"].items()
     ]
-    return ["run", "CPU s", "wall s", "peak MiB"], rows
+    return ["run", "CPU s", "peak MiB"], rows
+
+
+def gray_walls(document):
+    def seconds(case, way):
+        return f"{statistics.median(case['cpu_seconds'][way]):.2f}" if way in case["cpu_seconds"] else ""
+
+    rows = [[title, *(seconds(case, way) for case in document["cases"])] for way, title in GRAY_WAYS.items()]
+    return ["CPU s", *(case["volume"] for case in document["cases"])], rows
 
 
 def threads(document):
-    def largest(result, key):
-        name, seconds = next(iter(result[key].items()))
-        return f"{name} {seconds:.2f}"
-
-    rows = [
-        [
-            f"{volume}: {task}",
-            f"{results['1']['seconds']:.2f}",
-            f"{results['16']['seconds']:.2f}",
-            f"{results['16']['speed_up']:.1f}",
-            f"{sum(results['16']['serial_seconds'].values()):.2f}",
-            largest(results["16"], "serial_seconds"),
-            largest(results["16"], "idle_seconds"),
-        ]
-        for volume, tasks in document["volumes"].items()
-        for task, results in tasks.items()
-    ]
-    header = ["task", "seconds with 1 thread", "with 16", "times as fast", "seconds with one at work",
-              "most of them", "what cores wait for most"]  # fmt: skip
-    return header, rows
+    volumes = document["volumes"]
+    tasks = next(iter(volumes.values()))
+    return ["task", *volumes], [[task, *(f"{runs[task]['16']['speed_up']:.1f}" for runs in volumes.values())] for task in tasks]
 
 
 def ratio(case, way, other):
@@ -212,35 +195,6 @@ def automatic(document):
     return header, rows
 
 
-def long_runs(document):
-    rows = [[title, f"{ratio(document['cases'][name], way, other):.1f}"] for title, (name, way, other) in LONG_RUNS.items()]
-    return ["run", "times the CPU"], rows
-
-
-def profile(columns):
-    """Makes the table of CPU seconds by work, before and now, with a column for each title and its case and way."""
-
-    def make(document):
-        runs = {title: document["cases"][name]["seconds"][way] for title, (name, way) in columns.items()}
-
-        def cell(run, group):
-            return " / ".join(f"{run[when][group]:.2f}" for when in ("before", "now"))
-
-        groups = next(iter(runs.values()))["now"]
-        rows = [[group, *(cell(run, group) for run in runs.values())] for group in groups]
-        rows = [row for row in rows if any(value != "0.00 / 0.00" for value in row[1:])]
-        sums = {name: {when: {"all": sum(seconds.values())} for when, seconds in run.items()} for name, run in runs.items()}
-        return ["work", *runs], [*rows, ["all", *(cell(run, "all") for run in sums.values())]]
-
-    return make
-
-
-PROFILED = ("side-frame", "gyroid", "engine")
-SIDE_FRAME = {
-    "side-frame, thickness 8": ("side-frame", "thickness 8"),
-    "side-frame, thickness 3 and `--distance`": ("side-frame", "with distances"),
-}
-
 # The file of results, and what makes the header and the rows of a table of it.
 TABLES = {
     "whole-runs": ("peers.json", whole_runs),
@@ -252,11 +206,7 @@ TABLES = {
     "options": ("options.json", options),
     "threads": ("tiles.json", threads),
     "automatic": ("automatic.json", automatic),
-    "long-runs": ("automatic.json", long_runs),
-    "profile-fixed": ("profile.json", profile({name: (name, "thickness 3") for name in PROFILED})),
-    "profile-automatic": ("profile.json", profile({name: (name, "automatic") for name in (*PROFILED, "blobs")})),
-    "profile-mesh": ("profile.json", profile({name: (name, "with a mesh") for name in PROFILED})),
-    "profile-further": ("profile.json", profile(SIDE_FRAME)),
+    "gray-walls": ("gray-walls.json", gray_walls),
 }
 
 

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes and prints the results of measure_step_wedge.py and measure_thin_walls.py.
 
-Usage: bench/wedge_tables.py [results/step-wedge.json] [--page]     prints the tables of a result, or those of the page
-       bench/wedge_tables.py results/thin-walls.json --thin-walls   all parts together, as on the page
+Usage: bench/wedge_tables.py [results/step-wedge.json] [--page]     prints the tables of a result, or those of accuracy.md
+       bench/wedge_tables.py results/thin-walls.json --thin-walls   all parts together
 """
 
 import json
@@ -140,26 +140,15 @@ def format_limits_of_page(rows):
 
 
 PAGE_CASES = (("white", 0), ("white", 10), ("white", 20), ("white", 40), ("correlated", 20))
-
-
-def select_for_page(rows, kind):
-    kept = [row for row in select(rows, part=kind) if (row["noise"], row["noise_percent"]) in PAGE_CASES]
-    return [row for row in kept if row["wall"] >= 1.5]
+PAGE_BLURS, PAGE_WALLS = (0.8, 1.5), (2, 3, 6, 16)
 
 
 def format_page(document):
     """The tables of doc/explanation/accuracy.md."""
-    rows = document["rows"]
-    reconstructed = [row for row in select(rows, part="tomography") if row["wall"] >= 1.5]
-    if reconstructed:
-        return "\n\n".join(["reconstructed", format_errors(reconstructed), format_limits(reconstructed)])
-    parts = [format_limits_of_page(select(rows, part="wedge"))]
-    for kind in ("wedge", "tubes"):
-        kept = [row for row in select_for_page(rows, kind) if row["blur"] in (0.8, 1.5)]
-        parts += [f"{kind}: bias / rms / in interval", format_errors(kept)]
-    for title, what in (("repeatability", repeat), ("edges", edge)):
-        parts += [title, format_errors([row for row in select_for_page(rows, "wedge") if row["blur"] == 0.8], what)]
-    return "\n\n".join(parts)
+    rows = select(document["rows"], part="wedge")
+    shown = [row for row in rows if row["blur"] in PAGE_BLURS and row["wall"] in PAGE_WALLS]
+    shown = [row for row in shown if (row["noise"], row["noise_percent"]) in PAGE_CASES]
+    return "\n\n".join([format_limits_of_page([row for row in rows if row["noise_percent"] != 5]), format_errors(shown)])
 
 
 def pool(rows):

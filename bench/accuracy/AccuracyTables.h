@@ -4,7 +4,7 @@
 #ifndef AccuracyTables_h
 #define AccuracyTables_h
 
-// Tables of doc/explanation/accuracy.md, as Markdown.
+// What doc/explanation/accuracy.md shows parts of, as tables of Markdown.
 
 /** Errors of the thickness of tilted plates, by thickness. */
 void
