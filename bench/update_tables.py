@@ -17,7 +17,6 @@ import re
 import statistics
 import sys
 
-import measure_automatic
 import print_table
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
@@ -178,20 +177,17 @@ def ratio(case, way, other):
 def automatic(document):
     rows = []
     for name, case in document["cases"].items():
-        size = measure_automatic.CASES[name].size or measure_automatic.CASES[name].source
         results = case["results"]
         peaks = ", ".join(f"{results[way]['peak_bytes']['median'] / 2**20:.0f}" for way in ("fixed", "automatic"))
         rows.append([
             name,
-            size.replace(",", " x "),
             *(f"{results[way]['cpu_seconds']['median']:.2f}" for way in ("fixed", "automatic")),
             f"{ratio(case, 'automatic', 'fixed'):.1f}",
             f"{ratio(case, 'with a mesh', 'automatic'):.1f}",
             f"{ratio(case, 'with report, page and picture', 'automatic'):.2f}",
             peaks,
         ])  # fmt: skip
-    header = ["volume", "voxels", "fixed", "automatic", "ratio", "with a mesh: times automatic",
-              "with report, page and picture", "peak"]  # fmt: skip
+    header = ["volume", "fixed", "automatic", "ratio", "with a mesh: times automatic", "with report, page and picture", "peak"]
     return header, rows
 
 
