@@ -156,11 +156,14 @@ def options(document):
 
 
 def gray_walls(document):
-    def seconds(case, way):
-        return f"{statistics.median(case['cpu_seconds'][way]):.2f}" if way in case["cpu_seconds"] else ""
+    cases = document["cases"]
 
-    rows = [[title, *(seconds(case, way) for case in document["cases"])] for way, title in GRAY_WAYS.items()]
-    return ["CPU s", *(case["volume"] for case in document["cases"])], rows
+    def show(case, way):
+        seconds = {way: statistics.median(values) for way, values in case["cpu_seconds"].items()}
+        return f"{seconds[way]:.2f} ({seconds[way] / seconds['labels alone']:.1f})" if way in seconds else ""
+
+    rows = [[title, *(show(case, way) for case in cases)] for way, title in GRAY_WAYS.items()]
+    return ["CPU s", *(case["volume"] for case in cases)], [row for row in rows if any(row[1:])]
 
 
 def threads(document):
