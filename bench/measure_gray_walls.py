@@ -76,7 +76,7 @@ def make_input(arguments, name, scratch):
         file, mark, size, kind, spacing, threshold = REAL[name]
         packed = (arguments.data / file).read_bytes()
         volume.write_bytes(zlib.decompress(packed[packed.index(mark) + len(mark) :], wbits=47))  # zlib or gzip
-        words = ["--raw-spacing", spacing]
+        words = ["--spacing", spacing]
     else:
         mask, size, kind, threshold, words = scratch / "mask.raw", PHANTOMS[name], "uint8", BACKGROUND + CONTRAST // 2, []
         compare_peers.make_phantom(arguments.build, name, (), size, mask, scratch)

@@ -229,6 +229,7 @@ DrawLimits(const Subject & subject, const VolumeFile & file, Dice & dice, const 
   JobOptions limits;
   limits.input = file.fileName;
   limits.raw = file.raw;
+  limits.spacing = file.spacing;
   limits.sparse = dice.OneIn(2);
   limits.threads = static_cast<unsigned int>(dice.Roll(1, 5));
   if (dice.OneIn(2))

@@ -153,7 +153,7 @@ def raw_options(volume):
         ",".join(map(str, volume.size)),
         "--raw-type",
         volume.kind,
-        "--raw-spacing",
+        "--spacing",
         ",".join(map(str, volume.spacing)),
     ]
 

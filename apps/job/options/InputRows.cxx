@@ -21,24 +21,6 @@ JoinWords(const std::vector<std::string> & words, const char * separator)
   return Join(words, separator, [](const std::string & word) { return word; });
 }
 
-/** Distances of voxels, one for each axis. */
-std::vector<double>
-ToSpacings(const std::string & text)
-{
-  std::vector<double> spacing;
-  for (const std::string & part : SplitAtCommas(text))
-  {
-    spacing.push_back(ToSpacing(part));
-  }
-  return spacing;
-}
-
-std::optional<std::string>
-FormatSpacings(const std::vector<double> & spacing)
-{
-  return spacing.empty() ? std::nullopt : std::optional<std::string>(FormatNumbers(spacing, ","));
-}
-
 OptionValue
 Slices()
 {
@@ -78,8 +60,17 @@ Series()
 OptionValue
 Spacing()
 {
-  return Value<JobOptions>([](JobOptions & options, const std::string & text) { options.spacing = ToSpacings(text); },
-                           [](const JobOptions & options) { return FormatSpacings(options.spacing); });
+  return Value<JobOptions>(
+    [](JobOptions & options, const std::string & text) {
+      options.spacing.clear();
+      for (const std::string & part : SplitAtCommas(text))
+      {
+        options.spacing.push_back(ToSpacing(part));
+      }
+    },
+    [](const JobOptions & options) {
+      return options.spacing.empty() ? std::nullopt : std::optional<std::string>(FormatNumbers(options.spacing, ","));
+    });
 }
 
 OptionValue
@@ -279,16 +270,6 @@ AddRaw(std::vector<OptionRow> & rows)
   AddRow(rows, "--raw-type", "TYPE", RawType())
     .OfJobs(Volumes, group)
     .Help("Type of the voxels")
-    .Requires("--raw-size");
-  // Not shown, as --spacing says it for any input.
-  AddRow(rows,
-         "--raw-spacing",
-         "X,Y,Z",
-         OfRaw([](RawDescription & raw, const std::string & text) { raw.spacing = ToSpacings(text); },
-               [](const RawDescription & raw) { return FormatSpacings(raw.spacing); }))
-    .OfJobs(Volumes, group)
-    .Hidden()
-    .Help("The same as --spacing")
     .Requires("--raw-size");
   AddRow(rows,
          "--raw-header",

@@ -28,6 +28,7 @@ constexpr OtherName FormerNames[] = {
   { "--maximum-distance", "--max-distance" },
   { "--smallest-place", "--min-place-area" },
   { "--smallest-component", "--min-component-size" },
+  { "--raw-spacing", "--spacing" },
 };
 
 /** Names that a reader of other programs tries. */

@@ -40,7 +40,7 @@ DescribeRawVolume(const std::filesystem::path & fileName, const RawDescription &
   header.dataOffset = raw.headerSize;
 
   const size_t dimension = raw.size.size();
-  header.geometry.spacing = raw.spacing.empty() ? std::vector<double>(dimension, 1.0) : raw.spacing;
+  header.geometry.spacing.assign(dimension, 1.0);
   header.geometry.origin.assign(dimension, 0.0);
   header.geometry.SetIdentityDirection();
   return header;
@@ -128,14 +128,14 @@ ReplaceSpacing(VolumeHeader & header, const std::vector<double> & spacing)
 
 /** A typing error is no fault of the file. */
 void
-CheckTypedSpacing(const VolumeHeader & header, const char * option)
+CheckTypedSpacing(const VolumeHeader & header)
 {
   const VolumeGeometry &    geometry = header.geometry;
   const std::vector<double> origin(geometry.size.size(), 0.0);
   const std::string         problem = itk::MedialVoxelGridLimits::FindProblem(geometry.size, geometry.spacing, origin);
   if (!problem.empty())
   {
-    Fail(ExitStatus::Usage, option, " is ", FormatNumbers(geometry.spacing, ","), ": ", problem);
+    Fail(ExitStatus::Usage, "--spacing is ", FormatNumbers(geometry.spacing, ","), ": ", problem);
   }
 }
 
@@ -214,11 +214,7 @@ try
   if (!spacing.empty())
   {
     ReplaceSpacing(header, spacing);
-    CheckTypedSpacing(header, "--spacing");
-  }
-  else if (raw && !raw->spacing.empty())
-  {
-    CheckTypedSpacing(header, "--raw-spacing");
+    CheckTypedSpacing(header);
   }
   CheckDataSize(header);
   CheckGeometry(header);
