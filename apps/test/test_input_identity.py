@@ -64,7 +64,7 @@ class InputIdentityTest(ProgramTestCase):
     def test_headerless(self):
         for big_endian in (False, True):
             path = volumes.write_raw(self.folder / "in.raw", self.volume, big_endian, header=b"seventeen bytes..")
-            options = volumes.raw_options(self.volume) + ["--raw-header", 17] + ["--raw-big-endian"] * big_endian
+            options = volumes.raw_options(self.volume, ":17" + ":big" * big_endian)
             self.assert_same(path, *options)
 
     def test_nrrd_of_several_files(self):

@@ -128,7 +128,7 @@ class SmallJobTest(JobTestCase):
         help_text = self.run_program("plan", "--help-all").stdout
         of_run = {"--memory", "--threads", "--overwrite", "--divisions", "--dry-run", "--progress", "--quiet", "--log-file"}
         of_run |= {"--log-level", "--scratch", "--slurm", "--slurm-clusters"}
-        raw = "--raw-size 40,36,33 --raw-type uint8 --raw-header 5 --raw-big-endian"
+        raw = "--raw-size 40,36,33 --raw-type uint8:5:big"
         values = {
             "--thickness": 2, "--min-thickness": 2, "--max-thickness": 7, "--max-pore-size": 3,
             "--smooth": "on", "--voxel-units": None, "--lower": 1, "--upper": 1, "--label": 1, "--vectors": "v.mha",
@@ -178,8 +178,7 @@ class SmallJobTest(JobTestCase):
             self.assertEqual(len([name for name in found if name not in ("roughness", "measure", "needed_maximum") and found[name] != before[name]]), 1, option)
         (self.folder / "in.raw").write_bytes(bytes(5 + 40 * 36 * 33))
         found = parameters("../in.raw", *raw.split())
-        expected = dict(zip(sorted(of_raw - {"--raw-big-endian"}), ["5", "40,36,33", "uint8"]), **{"--raw-big-endian": "true"})
-        self.assertEqual({option: found[option] for option in of_raw}, expected)
+        self.assertEqual({option: found[option] for option in of_raw}, {"--raw-size": "40,36,33", "--raw-type": "uint8:5:big"})
 
     def test_status(self):
         self.plan()

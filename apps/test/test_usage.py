@@ -18,6 +18,8 @@ FORMER_NAMES = {
     "--smallest-place": "--min-place-area",
     "--smallest-component": "--min-component-size",
     "--raw-spacing": "--spacing",
+    "--raw-header": "--raw-type TYPE:BYTES",
+    "--raw-big-endian": "--raw-type TYPE:big",
 }
 
 
@@ -197,16 +199,14 @@ class UsageTest(ProgramTestCase):
         self.assert_usage(["unknown format", "--raw-size"], *command)
         self.assert_usage(["--raw-type"], *command, "--raw-size", "24,20,16")
         self.assert_usage(["--raw-size"], *command, "--raw-type", "uint8")
-        for option in (["--raw-header", 4], ["--raw-big-endian"]):
-            self.assert_usage(["--raw-size"], *command, *option)
         for size in ("24,20,x", "24x20xx16", "24 x 20 x 16", "24,20,-16", "24,20,0", "24,,16", "1e3,2,2", ""):
             self.assert_usage(["--raw-size"], *command, "--raw-type", "uint8", "--raw-size", size)
         for size in ("24", "24,20,16,1"):
             self.assert_usage(["--raw-size", "2 or 3"], *command, "--raw-type", "uint8", "--raw-size", size)
         self.assert_usage(["--raw-size"], *command, "--raw-type", "uint8", "--raw-size", "2000000000,2000000000,2000000000")
         self.assert_usage(["--raw-type", "'uint7'", "did you mean uint8?"], *command, "--raw-size", "24,20,16", "--raw-type", "uint7")
-        described = [*command, "--raw-size", "24,20,16", "--raw-type", "uint8"]
-        self.assert_usage(["--raw-header", "'-1'"], *described, "--raw-header", -1)
+        for kind in (":", ":big", "uint8:", "uint8:-1", "uint8:2.5", "uint8:5:6", "uint8:big:5", "uint8:5:big:", "uint8:5:", "uint8::big", "uint8:5:little"):
+            self.assert_usage(["--raw-type", "'"], *command, "--raw-size", "24,20,16", "--raw-type", kind)
 
 
 if __name__ == "__main__":

@@ -29,6 +29,8 @@ constexpr OtherName FormerNames[] = {
   { "--smallest-place", "--min-place-area" },
   { "--smallest-component", "--min-component-size" },
   { "--raw-spacing", "--spacing" },
+  { "--raw-header", "--raw-type", " TYPE:BYTES" },
+  { "--raw-big-endian", "--raw-type", " TYPE:big" },
 };
 
 /** Names that a reader of other programs tries. */

@@ -157,6 +157,13 @@ CheckDataSize(const VolumeHeader & header)
   {
     return;
   }
+  std::string remedy;
+  if (header.format == &GetRawFormat() && header.dataFileSize > dataSize)
+  {
+    const std::string bytes = std::to_string(header.dataFileSize - dataSize);
+    remedy = "; a header of " + bytes + " bytes would fit, --raw-type " + GetTraits(header.pixelType).name + ":" + bytes +
+             (header.bigEndian ? ":big" : "");
+  }
   Fail(ExitStatus::CorruptInput,
        header.dataFile.string(),
        " has ",
@@ -168,7 +175,8 @@ CheckDataSize(const VolumeHeader & header)
        header.compressed ? " cannot be packed into what follows " : " need ",
        header.compressed ? "" : std::to_string(dataSize) + " after ",
        header.dataOffset,
-       header.compressed ? " bytes of header" : (exact ? " bytes of header, no more and no less" : " bytes of header"));
+       exact ? " bytes of header, no more and no less" : " bytes of header",
+       remedy);
 }
 
 /** "DICOM series UID, 108 files, a to b" */
