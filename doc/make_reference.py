@@ -156,7 +156,7 @@ def make_formats(catalog):
     volumes = [
         [f"`{row['extension']}`", row["format"], mark(row["written"]), mark(row["vectors"]),
          "always" if row["always_packed"] else "with `--compress`" if row["packed_on_request"] else
-         "with `--zarr-compression`" if row["format"] == "Zarr" else "no"]
+         "with `--compress`" if row["format"] == "Zarr" else "no"]
         for row in catalog["volume_formats"]
     ]  # fmt: skip
     meshes = [[f"`{extension}`", *MESH_FORMATS[extension]] for extension in catalog["mesh_formats"]]

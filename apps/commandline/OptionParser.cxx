@@ -28,7 +28,7 @@ AddOption(CLI::App &           app,
     }
     return true;
   };
-  return app.add_option(name, parse, help)->type_name(value.isFlag ? "" : unit)->type_size(1)->expected(1);
+  return app.add_option(name, parse, help)->type_name(unit)->type_size(1)->expected(1);
 }
 
 bool

@@ -454,7 +454,10 @@ main(int argc, char * argv[])
     const std::vector<std::string> words = ReplaceHelp({ argv + std::min(argc, 1), argv + argc });
     try
     {
-      ParseWords(*app, words);
+      ParseWords(*app, words, [&line](const CLI::Option & option) {
+        const OptionRow * const row = FindRow(line, option);
+        return row && row->value.isFlag ? row->value.choices : std::vector<std::string>();
+      });
     }
     catch (const CLI::ParseError & error)
     {

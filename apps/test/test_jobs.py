@@ -135,7 +135,7 @@ class SmallJobTest(JobTestCase):
             "--vector-boundary": "background", "--distance": "d.mha", "--thickness-map": "t.mha", "--sub-voxel": None,
             "--uncertainty-map": "u.mha", "--materials": "0,100", "--thickness-csv": "t.csv", "--preview": "p.png", "--html": "p.html", "--report": "r.json",
             "--color-range": "1,3",
-            "--zarr-compression": "none", "--spacing": "1,2,3", "--resample": 0.75, "--resolution": 1,
+            "--compress": "none", "--spacing": "1,2,3", "--resample": 0.75, "--resolution": 1,
             "--slices": "2-6", "--thin-below": 2, "--thick-above": 2, "--min-place-area": 3, "--places": "p.csv",
             "--fail-if-thin": None, "--local-thickness": "lt.mha", "--largest-ball": 9,
             "--local-thickness-method": "sphere",
@@ -171,7 +171,6 @@ class SmallJobTest(JobTestCase):
                 "--fail-if-thin": ["--thin-below", 2],
                 "--largest-ball": ["--local-thickness", "lt.mha"],
                 "--local-thickness-method": ["--local-thickness", "lt.mha"],
-                "--zarr-compression": ["--distance", "d.zarr"],
             }.get(option, [])
             before = plain if source == "../in.mha" and not needed else parameters(source, *needed)
             found = parameters(source, option, *([] if value is None else [value]), *needed)

@@ -26,7 +26,7 @@ NEEDS = {
 NEEDS_OF_EXTRACT = {
     "--largest-ball": ["--local-thickness=t.mha"], "--local-thickness-method": ["--local-thickness=t.mha"],
     "--element-size": ["--mesh=m.inp"], "--section-width": ["--mesh=m.inp"], "--vector-boundary": ["--vectors=v.mha"],
-    "--zarr-compression": ["--thickness-map=t.zarr"], "--extend-rims": ["--mesh=m.inp"],
+    "--extend-rims": ["--mesh=m.inp"],
     "--min-component-size": ["--mesh=m.inp"], "--color-range": ["--html=p.html"],
 }  # fmt: skip
 FLAG_WORDS = ["true", "ON", "Yes", "1", "false", "off", "NO", "0"]
@@ -60,7 +60,6 @@ class OptionValueTest(ProgramTestCase):
 
     def command_with(self, command, option, value):
         needs = NEEDS.get(option, []) + (NEEDS_OF_EXTRACT.get(option, []) if command in ("extract", "plan") else [])
-        needs = ["--distance=d.zarr"] if (command, option) == ("distance", "--zarr-compression") else needs
         return [command, *ARGUMENTS[command], *needs, option if value is None else f"{option}={value}"]
 
     def assert_refused(self, option, value, command):
@@ -91,7 +90,7 @@ class OptionValueTest(ProgramTestCase):
     def test_values(self):
         seen = set()
         for command, option, unit, choices in self.options:
-            if not unit or command == "plan" and option in ("--mesh", "--element-size", "--section-width", "--min-component-size"):
+            if not unit or option == "--compress" or command == "plan" and option in ("--mesh", "--element-size", "--section-width", "--min-component-size"):
                 continue
             with self.subTest(command=command, option=option):
                 odd = [""] if unit in ("FILE", "DIR", "UID") else ODD if option not in seen else ["", "1e999", "3abc"]
@@ -106,6 +105,15 @@ class OptionValueTest(ProgramTestCase):
                 self.assert_refused(option, "a", [*self.command_with(command, option, "a"), option, "a"])
             seen.add(option)
         self.assertGreater(len(seen), 40)
+
+    def test_kind_of_packing_may_be_left_out(self):
+        extract = ["extract", "no.mha", "out.zarr"]
+        for words in ([], ["on"], ["GZIP"], ["Blosc-zstd"], ["none"], ["off"]):
+            self.assert_taken(["extract", "--compress", *words, "no.mha", "out.zarr"])
+            self.assert_taken([*extract, "--compress=" + "".join(words)] if words else [*extract, "--compress"])
+        for value in ODD:
+            self.assert_refused("--compress", value, [*extract, f"--compress={value}"])
+        self.assertIn("--compress", self.run_program(*extract, "--compress", "--compress", "on", status=USAGE).stderr)
 
     def test_words_in_any_case(self):
         extract = ["extract", "no.mha", "out.mha", "--mesh", "m.inp"]

@@ -93,6 +93,7 @@ class TextsTest(ProgramTestCase):
         self.assertEqual(self.complete("extract", "--vector-boundary", "="), ["object", "background"])
         self.assertEqual(self.complete("extract", "--vector-boundary", "=", "b"), ["background"])
         self.assertIn("float32", self.complete("info", "--raw-type", ""))
+        self.assertEqual(self.complete("extract", "--compress", ""), ["on", "gzip", "blosc-zstd", "none"])
         self.assertEqual(self.complete("extract", "--thickness", ""), [])
         self.assertEqual(self.complete("bogus", ""), [])
         (self.folder / "part.mha").touch()

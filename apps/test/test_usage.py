@@ -18,6 +18,7 @@ FORMER_NAMES = {
     "--smallest-place": "--min-place-area",
     "--smallest-component": "--min-component-size",
     "--raw-spacing": "--spacing",
+    "--zarr-compression": "--compress",
     "--raw-header": "--raw-type TYPE:BYTES",
     "--raw-big-endian": "--raw-type TYPE:big",
 }
@@ -172,14 +173,13 @@ class UsageTest(ProgramTestCase):
             (extract, None, ["--min-thickness", 2, "--thickness", 3]),
             (extract, None, ["--max-thickness", 2, "--thickness", 3]),
             (extract, ["--vectors", "v.mha"], ["--vector-boundary", "object"]),
-            (extract, ["--distance", "d.zarr"], ["--zarr-compression", "none"]),
+            (extract[:2] + ["--html", "p.html"], ["out.zarr"], ["--compress", "none"]),
             (extract, ["--mesh", "m.inp"], ["--section-width", 1]),
             (mesh + ["m.vtp"], None, ["--section-width", 1]),
             (mesh + ["m.BDF"], [], ["--section-width", 1]),
             (mesh + ["m.k", "--thickness-at", "nodes"], None, ["--section-width", 1]),
             (mesh + ["m.ply"], None, ["--thickness-at", "nodes"]),
             (mesh + ["m.k"], [], ["--thickness-at", "nodes"]),
-            (distance, ["--distance", "d.OME.ZARR"], ["--zarr-compression", "gzip"]),
         ):
             if need != []:
                 self.assert_usage([option[0], "no effect", "needs"], *command, *option)

@@ -46,7 +46,7 @@ class ZarrInputTest(ProgramTestCase):
         for compression in ("none", "gzip"):
             self.run_program(
                 "distance", "in.mha", "v.zarr", "--distance", "d.zarr", "--lower", 50,
-                "--zarr-compression", compression, "--overwrite",
+                "--compress", compression, "--overwrite",
             )  # fmt: skip
             self.extract("d.mha", "a.mha", "--upper", -0.1, "--overwrite")
             self.extract("d.zarr/", "b.mha", "--upper", -0.1, "--overwrite")

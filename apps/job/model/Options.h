@@ -5,7 +5,7 @@
 
 #include "PlaceSummary.h"
 #include "VolumeHeader.h"
-#include "ZarrCompression.h"
+#include "Compression.h"
 
 #include "itkMedialVoxelEnums.h"
 #include "itkMedialVoxelExactNumber.h"
@@ -83,10 +83,9 @@ struct JobOptions
   std::optional<unsigned int>  threads;           ///< 1 or more; unset: as ITK decides
   std::optional<std::uint64_t> divisions;         ///< pieces along the last axis, 1 or more; unset: chosen
   bool                         sparse{ false };   ///< blocks of zeros stay holes of the files, nothing is reserved
-  bool                         compress{ false }; ///< pack .mha and .nrrd outputs
-  ZarrCompression              zarrCompression{ ZarrCompression::Gzip }; ///< of .zarr outputs
-  bool                         overwrite{ false };                       ///< replace existing outputs
-  bool                         dryRun{ false };                          ///< plan and check only
+  Compression                  compression{ Compression::Default }; ///< of volumes
+  bool                         overwrite{ false };                  ///< replace existing outputs
+  bool                         dryRun{ false };                     ///< plan and check only
 };
 
 /** Largest value of ExtractOptions::maximumPoreSize. */

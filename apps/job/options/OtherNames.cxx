@@ -28,6 +28,7 @@ constexpr OtherName FormerNames[] = {
   { "--maximum-distance", "--max-distance" },
   { "--smallest-place", "--min-place-area" },
   { "--smallest-component", "--min-component-size" },
+  { "--zarr-compression", "--compress" },
   { "--raw-spacing", "--spacing" },
   { "--raw-header", "--raw-type", " TYPE:BYTES" },
   { "--raw-big-endian", "--raw-type", " TYPE:big" },

@@ -267,7 +267,7 @@ Job::Plan(const bool isShared)
   {
     if (output.layout)
     {
-      CheckOutputFormat(output.fileName, result.input.geometry, *output.layout, options.compress);
+      CheckOutputFormat(output.fileName, result.input.geometry, *output.layout, options.compression);
     }
   }
   std::error_code error;
