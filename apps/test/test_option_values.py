@@ -25,7 +25,7 @@ NEEDS = {
 # Of commands with a mesh or a thickness of their own these are no options.
 NEEDS_OF_EXTRACT = {
     "--largest-ball": ["--local-thickness=t.mha"], "--local-thickness-method": ["--local-thickness=t.mha"],
-    "--element-size": ["--mesh=m.inp"], "--section-width": ["--mesh=m.inp"], "--vector-boundary": ["--vectors=v.mha"],
+    "--element-size": ["--mesh=m.inp"], "--sections": ["--mesh=m.inp"], "--vector-boundary": ["--vectors=v.mha"],
     "--extend-rims": ["--mesh=m.inp"],
     "--min-component-size": ["--mesh=m.inp"], "--color-range": ["--html=p.html"],
 }  # fmt: skip
@@ -90,7 +90,7 @@ class OptionValueTest(ProgramTestCase):
     def test_values(self):
         seen = set()
         for command, option, unit, choices in self.options:
-            if not unit or option == "--compress" or command == "plan" and option in ("--mesh", "--element-size", "--section-width", "--min-component-size"):
+            if not unit or option == "--compress" or command == "plan" and option in ("--mesh", "--element-size", "--sections", "--min-component-size"):
                 continue
             with self.subTest(command=command, option=option):
                 odd = [""] if unit in ("FILE", "DIR", "UID") else ODD if option not in seen else ["", "1e999", "3abc"]

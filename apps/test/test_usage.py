@@ -19,6 +19,8 @@ FORMER_NAMES = {
     "--smallest-component": "--min-component-size",
     "--raw-spacing": "--spacing",
     "--zarr-compression": "--compress",
+    "--section-width": "--sections",
+    "--thickness-at": "--sections nodes",
     "--raw-header": "--raw-type TYPE:BYTES",
     "--raw-big-endian": "--raw-type TYPE:big",
 }
@@ -174,12 +176,11 @@ class UsageTest(ProgramTestCase):
             (extract, None, ["--max-thickness", 2, "--thickness", 3]),
             (extract, ["--vectors", "v.mha"], ["--vector-boundary", "object"]),
             (extract[:2] + ["--html", "p.html"], ["out.zarr"], ["--compress", "none"]),
-            (extract, ["--mesh", "m.inp"], ["--section-width", 1]),
-            (mesh + ["m.vtp"], None, ["--section-width", 1]),
-            (mesh + ["m.BDF"], [], ["--section-width", 1]),
-            (mesh + ["m.k", "--thickness-at", "nodes"], None, ["--section-width", 1]),
-            (mesh + ["m.ply"], None, ["--thickness-at", "nodes"]),
-            (mesh + ["m.k"], [], ["--thickness-at", "nodes"]),
+            (extract, ["--mesh", "m.inp"], ["--sections", 1]),
+            (mesh + ["m.vtp"], None, ["--sections", 1]),
+            (mesh + ["m.BDF"], [], ["--sections", 1]),
+            (mesh + ["m.ply"], None, ["--sections", "nodes"]),
+            (mesh + ["m.k"], [], ["--sections", "NODES"]),
         ):
             if need != []:
                 self.assert_usage([option[0], "no effect", "needs"], *command, *option)

@@ -28,6 +28,8 @@ constexpr OtherName FormerNames[] = {
   { "--maximum-distance", "--max-distance" },
   { "--smallest-place", "--min-place-area" },
   { "--smallest-component", "--min-component-size" },
+  { "--section-width", "--sections" },
+  { "--thickness-at", "--sections", " nodes" },
   { "--zarr-compression", "--compress" },
   { "--raw-spacing", "--spacing" },
   { "--raw-header", "--raw-type", " TYPE:BYTES" },
