@@ -136,7 +136,7 @@ class SmallJobTest(JobTestCase):
             "--uncertainty-map": "u.mha", "--materials": "0,100", "--thickness-csv": "t.csv", "--preview": "p.png", "--html": "p.html", "--report": "r.json",
             "--color-range": "1,3",
             "--compress": "none", "--spacing": "1,2,3", "--resample": 0.75, "--resolution": 1,
-            "--slices": "2-6", "--thin-below": 2, "--thick-above": 2, "--min-place-area": 3, "--places": "p.csv",
+            "--slices": "2-6", "--thin-below": "2,,3", "--thick-above": 2, "--places": "p.csv",
             "--fail-if-thin": None, "--local-thickness": "lt.mha", "--largest-ball": 9,
             "--local-thickness-method": "sphere",
         }  # fmt: skip
@@ -165,7 +165,6 @@ class SmallJobTest(JobTestCase):
                 "--uncertainty-map": ["--lower", 1000],
                 "--materials": ["--lower", 50],
                 "--vector-boundary": ["--vectors", "v.mha"],
-                "--min-place-area": ["--thin-below", 2],
                 "--places": ["--thin-below", 2],
                 "--color-range": ["--html", "p.html"],
                 "--fail-if-thin": ["--thin-below", 2],

@@ -20,7 +20,7 @@ ARGUMENTS = {
 RAW = ["--raw-size=2,2,2", "--raw-type=uint8"]
 NEEDS = {
     "--raw-size": RAW[1:], "--raw-type": RAW[:1], "--log-level": ["--log-file=log.txt"], "--slurm-clusters": ["--slurm"], "--materials": ["--lower=2.5"],
-    "--sub-voxel": ["--lower=50"], "--fail-if-thin": ["--thin-below=2"], "--min-place-area": ["--thin-below=2"],
+    "--sub-voxel": ["--lower=50"], "--fail-if-thin": ["--thin-below=2"],
 }  # fmt: skip
 # Of commands with a mesh or a thickness of their own these are no options.
 NEEDS_OF_EXTRACT = {
@@ -42,7 +42,7 @@ ODD = [
 TAKEN = {
     "--lower": {"inf", "-1", "9" * 40}, "--upper": {"inf", "-1", "9" * 40}, "--label": {"-1"}, "--max-distance": {"inf", "9" * 40},
     "--labels": {value for value in ODD if value.strip() and "," not in value and value != "9" * 40 and value[0] != "-"} | {"-1"},
-    "--clusters": {"0,5"}, "--materials": {"0,5"}, "--color-range": {"0,5"},
+    "--thin-below": {"1,,2"}, "--thick-above": {"1,,2"}, "--clusters": {"0,5"}, "--materials": {"0,5"}, "--color-range": {"0,5"},
 }  # fmt: skip
 
 

@@ -58,8 +58,7 @@ def _run(command: str, files: tuple[pathlib.Path, ...], options: dict[str, Any],
 def thin_places(
     array: ArrayLike,
     *,
-    thin_below: Number | tuple[Number, Number],
-    min_place_area: Number | None = None,
+    thin_below: Number | tuple[Number, Number] | tuple[Number, Number | None, Number],
     thickness: Number | Literal["auto"] = "auto",
     spacing: ArrayLike | None = None,
     lower: Number | Literal["otsu"] | None = None,
@@ -78,7 +77,7 @@ def thin_places(
     """
     with _as_file(array, spacing) as (path, dimension):
         table = path.with_name("places.csv")
-        given = {"thin_below": thin_below, "min_place_area": min_place_area, "thickness": thickness}
+        given = {"thin_below": thin_below, "thickness": thickness}
         given |= {"lower": lower, "upper": upper, "label": label, "places": table, **options}
         thin = _run("extract", (path,), given, progress)["places"]["thin"]
         with table.open(newline="", encoding="utf-8") as file:

@@ -13,9 +13,9 @@ F = TypeVar("F", bound=Callable[..., Any])
 _TEXTS = {
     "array": "2 or 3 axes of bool, integers of 8 to 64 bits or real numbers of 16, 32 or 64 bits; any order, strides and byte order. "
     "A contiguous array of native numbers is not copied.",
-    "thin_below": "The limit, or (limit, second limit): each place has a cell thinner than the first one, and all its cells are "
-    "thinner than the second one, by default an eighth more.",
-    "min_place_area": "Area beyond the limit of the smallest place that counts, in squared units; default that of ten faces of voxels.",
+    "thin_below": "The limit, (limit, second limit), or (limit, second limit, area): each place has a cell thinner than the first one, "
+    "and all its cells are thinner than the second one, by default (None) an eighth more. Its cells thinner than the first one have at "
+    "least the area, in squared units; default that of ten faces of voxels.",
     "thin_places.options": "Others of the program, as of extract_file(): ``threads=2``, ``memory=\"1G\"``, ``materials=(40, 180)``.",
     "surface_thickness.options": "Others of the program, as of surface_file(): ``largest_ball=20``, ``sub_voxel=False``, ``open=True``.",
     "spacing": "(z, y, x), from 1e-12 to 1e12, or one number for all axes; default 1.",
@@ -62,8 +62,8 @@ _TEXTS = {
     "output": "Its ending names its format.",
     "options": 'Those of the program, with underscores: ``thickness_map="map.mha", lower=72, memory="2G", overwrite=True``. True '
     "switches an option on; None and False leave it to its default. ``smooth=False`` and ``sub_voxel=False`` switch off. Values of all "
-    'axes are (z, y, x) as numbers, and as the program takes them as a text: ``spacing=(2, 1, 1)`` is ``spacing="1,1,2"``. Two limits '
-    "of places are a tuple: ``thin_below=(2, 2.5)``.",
+    'axes are (z, y, x) as numbers, and as the program takes them as a text: ``spacing=(2, 1, 1)`` is ``spacing="1,1,2"``. Limits '
+    "of places are a tuple: ``thin_below=(2, 2.5, 6)``.",
     "progress": "Called with the share that is done, from 0 to 1, about 20 times a second; an exception of it stops the work. True shows a "
     "bar of tqdm.",
 }

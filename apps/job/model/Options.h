@@ -158,7 +158,6 @@ struct ExtractOptions : JobOptions
   std::string                thicknessCsvFile; ///< histogram of the thickness, comma-separated values
   std::optional<PlaceLimits> thinBelow;        ///< places with thinner walls are listed; not with labels
   std::optional<PlaceLimits> thickAbove;       ///< places with thicker walls are listed; not with labels
-  std::optional<double>      minimumPlaceArea; ///< area of places that count; unset: that of ten faces of voxels
   std::string                placesFile;       ///< these places, comma-separated values
   bool failsIfThin{ false };                   ///< the program ends with ExitStatus::TooThin when there are thin ones
 

@@ -131,10 +131,9 @@ private:
     {
       if (limits)
       {
-        settings.limits[kind] = *limits;
+        settings[kind] = *limits;
       }
     }
-    settings.minimumPlaceArea = m_Options.minimumPlaceArea;
     return settings;
   }
 
