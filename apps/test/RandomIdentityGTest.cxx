@@ -84,7 +84,6 @@ WithLimits(TOptions options, const JobOptions & limits)
 void
 DrawObject(JobOptions & options, const RandomVolume & volume, Dice & dice)
 {
-  options.voxelUnits = dice.OneIn(3);
   // Values of 0 and 100 make the same object with and without a limit; one in three relies on that of zero.
   if (volume.pixelType == PixelType::Float32 || !dice.OneIn(3))
   {

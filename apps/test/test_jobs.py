@@ -131,7 +131,7 @@ class SmallJobTest(JobTestCase):
         raw = "--raw-size 40,36,33 --raw-type uint8:5:big"
         values = {
             "--thickness": 2, "--min-thickness": 2, "--max-thickness": 7, "--max-pore-size": 3,
-            "--smooth": "on", "--voxel-units": None, "--lower": 1, "--upper": 1, "--label": 1, "--vectors": "v.mha",
+            "--smooth": "on", "--lower": 1, "--upper": 1, "--label": 1, "--vectors": "v.mha",
             "--vector-boundary": "background", "--distance": "d.mha", "--thickness-map": "t.mha", "--sub-voxel": None,
             "--uncertainty-map": "u.mha", "--materials": "0,100", "--thickness-csv": "t.csv", "--preview": "p.png", "--html": "p.html", "--report": "r.json",
             "--color-range": "1,3",

@@ -131,11 +131,11 @@ class PlacesTest(ProgramTestCase):
 
     def test_places_are_those_of_the_map(self):
         found = 0
-        for seed, unit, thickness in ((1, [], 3), (2, ["--voxel-units"], 3), (3, [], "auto")):
+        for seed, thickness in ((1, 3), (2, "3vx"), (3, "auto")):
             part = random_part(seed)
             volumes.write_meta(self.folder / "in.mha", part)
             for limits in (("2.0,2.0", "2.6,2.6"), ("1.7,2.4", "3,2.5"), ("2.4", "2.5"), ("0.6", "9"), ("99", "0.01")):
-                arguments = ["--thin-below", keep_all(limits[0]), "--thick-above", keep_all(limits[1]), *unit]
+                arguments = ["--thin-below", keep_all(limits[0]), "--thick-above", keep_all(limits[1])]
                 rows = self.places("--thickness-map", "t.mha", "--report", "r.json", *arguments, thickness=thickness)
                 values = volumes.read_floats(self.folder / "t.mha")
                 report = json.loads((self.folder / "r.json").read_text())
@@ -146,7 +146,7 @@ class PlacesTest(ProgramTestCase):
                     self.assert_same_places(own, expected, part)
                     if seed < 3:  # without pores that are taken for object
                         for row in own[:4]:
-                            self.assert_sides(row, part, (1, 1, 1) if unit else part.spacing)
+                            self.assert_sides(row, part, part.spacing)
                     told = report["places"][kind]
                     self.assertEqual((told["number"], told["smaller"]), (len(expected), 0))
                     self.assertEqual(told["cells"], sum(place["cells"] for place in expected))
@@ -299,11 +299,11 @@ class PlacesTest(ProgramTestCase):
     def test_noise_hides_no_place(self):
         part, pits = pitted_wall()
         volumes.write_meta(self.folder / "in.mha", part)
-        clean = self.places("--thin-below", 5, "--voxel-units", thickness="auto")
+        clean = self.places("--thin-below", "5vx", thickness="auto")
         self.assertEqual(len(clean), len(pits))
         for seed in range(3):
             volumes.write_meta(self.folder / "noisy.mha", flip_surface(part, seed))
-            options = ["--thin-below", 5, "--voxel-units", "--smooth", "auto", "--report", "r.json"]
+            options = ["--thin-below", "5vx", "--smooth", "auto", "--report", "r.json"]
             noisy = self.places(*options, source="noisy.mha", thickness="auto")
             self.assertTrue(json.loads((self.folder / "r.json").read_text())["smoothed"])
             for x, y in pits:
@@ -311,7 +311,7 @@ class PlacesTest(ProgramTestCase):
                 self.assertEqual(len(over), 1, (seed, x, y, noisy))
             self.assertEqual(len(noisy), len(pits), seed)
             # The noise matters.
-            rough = self.places("--thin-below", 5, "--voxel-units", "--smooth", "off", source="noisy.mha", thickness="auto")
+            rough = self.places("--thin-below", "5vx", "--smooth", "off", source="noisy.mha", thickness="auto")
             areas = [sum(row["area"] for row in rows) for rows in (rough, noisy)]
             self.assertGreater(areas[0], 1.2 * areas[1], seed)
 
@@ -375,7 +375,7 @@ class PlacesTest(ProgramTestCase):
 
     @unittest.skipUnless(ENGINE.exists(), "the engine volume is not here")
     def test_engine_has_thin_places(self):
-        arguments = ["--lower", 72, "--thin-below", "3.5,4.5", "--thickness-map", "t.mha", "--voxel-units"]
+        arguments = ["--lower", 72, "--thin-below", "3.5,4.5", "--thickness-map", "t.mha"]
         rows = self.places(*arguments, "--sub-voxel=off", source=ENGINE)
         header, _ = volumes.read_header(self.folder / "t.mha")
         size = [int(number) for number in header["DimSize"].split()]

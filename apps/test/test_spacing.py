@@ -250,7 +250,6 @@ class SpacingTest(ProgramTestCase):
             ("1,1,5", [], False),
             ("1,1,5", ["--resample", "off"], True),
             ("0.4,2.5,0.4", ["--resample", "off"], True),
-            ("1,1,5", ["--voxel-units"], False),
         ):
             volumes.write_meta(self.folder / "in.mha", self.volume)
             options = ["--spacing", spacing, "--lower", 72, "--report", "r.json", "--overwrite", *arguments]
@@ -261,7 +260,7 @@ class SpacingTest(ProgramTestCase):
             self.assertEqual(any("sheets have holes" in warning for warning in result.warnings), warns, result.warnings)
 
     def test_unequal_spacing_is_resampled(self):
-        """Beyond a ratio of 4 sheets and thickness need equal spacing; vectors do not, and neither do lengths in voxels."""
+        """Beyond a ratio of 4 sheets and thickness need equal spacing; vectors do not."""
         volumes.write_meta(self.folder / "in.mha", self.volume)
         size = self.volume.size
         for command, spacing, arguments, resamples in (
@@ -271,7 +270,6 @@ class SpacingTest(ProgramTestCase):
             ("mesh", "1,1,4.5", [], True),
             ("surface", "1,1,4.5", [], True),
             ("distance", "1,1,4.5", [], False),
-            ("extract", "1,1,4.5", ["--voxel-units"], False),
             ("extract", "1,1,4.5", ["--resample", "off"], False),
         ):
             with self.subTest(command=command, spacing=spacing, arguments=arguments):

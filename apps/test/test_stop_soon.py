@@ -79,7 +79,7 @@ class StopSoonTest(ProgramTestCase):
                 self.assertEqual(self.names(), self.before)
 
     def test_large_thickness(self):
-        self.assert_stops("extract", *NOISE, "out.mha", "--thickness", "40", "--voxel-units")
+        self.assert_stops("extract", *NOISE, "out.mha", "--thickness", "40vx")
 
     def test_thickness_in_small_voxels(self):
         """The same as 154 voxels."""

@@ -20,6 +20,7 @@ FORMER_NAMES = {
     "--smallest-component": "--min-component-size",
     "--raw-spacing": "--spacing",
     "--zarr-compression": "--compress",
+    "--voxel-units": "lengths with the unit vx, such as --thickness 3vx",
     "--section-width": "--sections",
     "--thickness-at": "--sections nodes",
     "--raw-header": "--raw-type TYPE:BYTES",

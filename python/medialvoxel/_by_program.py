@@ -15,7 +15,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import Number, check_spacing, prepare
+from ._arrays import Length, Number, check_spacing, prepare
 from ._options import make_options
 from ._parameters import describe
 from ._program import run_on_files
@@ -58,8 +58,8 @@ def _run(command: str, files: tuple[pathlib.Path, ...], options: dict[str, Any],
 def thin_places(
     array: ArrayLike,
     *,
-    thin_below: Number | tuple[Number, Number] | tuple[Number, Number | None, Number],
-    thickness: Number | Literal["auto"] = "auto",
+    thin_below: Length | tuple[Length, Length] | tuple[Length, Length | None, Length],
+    thickness: Length = "auto",
     spacing: ArrayLike | None = None,
     lower: Number | Literal["otsu"] | None = None,
     upper: Number | None = None,

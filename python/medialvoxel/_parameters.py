@@ -25,12 +25,12 @@ _TEXTS = {
     "upper": "Largest value of the object.",
     "label": "The one value of the object.",
     "labels": 'Each of these values, or "all", is an object of its own.',
-    "thickness": 'Of the walls that become sheets, > 0; "auto": each wall by its own thickness.',
+    "thickness": 'Of the walls that become sheets, > 0; "auto": each wall by its own thickness. Each length is a number in units of the '
+    'spacing, or a text with a unit: "3vx" is three voxels of the smallest spacing, "2mm" two units of the spacing.',
     "smooth": 'Noise of the object is smoothed: True, False, or "auto", the default with automatic thickness, where it is rough.',
     "min_thickness": 'Lower limit of thickness="auto"; default 3 voxels of the smallest spacing.',
     "max_thickness": 'Upper limit of thickness="auto"; default 16 voxels of the smallest spacing, up to 32 where many walls are thicker.',
     "max_pore_size": "Largest pore or grain that is left out, from 0 to 1000000 voxels; default 32 with automatic thickness, otherwise 0.",
-    "voxel_units": "Lengths are in voxels instead of units of the spacing.",
     "thickness_map": "Make `thickness` and `rims` too, of 5 bytes for each voxel.",
     "uncertainty": "Make this output too, of 4 bytes for each voxel; it needs `lower` or `upper`, and walls that can be fitted.",
     "vectors": "Make this output too, of 12 bytes for each voxel.",
@@ -50,12 +50,12 @@ _TEXTS = {
     "extend_rims": "Carry the sheet on in its plane to the free edges of the part. Needs an element size.",
     "boundary": "Voxels that distances are measured to: those of the object, or of the background.",
     "region": "Voxels that get a value; 0 elsewhere.",
-    "max_distance": "Voxels further away are NaN; > 0.",
+    "max_distance": 'Voxels further away are NaN; > 0, or a text such as "3vx", in voxels of the smallest spacing.',
     "method": '"wall": the thickness of walls; edges and corners that no wall covers are NaN. "sphere": the diameter of the largest ball '
     "inside the object that covers a voxel, as Hildebrand and Rüegsegger (1997) define it, for comparison with other programs.",
     "local_thickness.sub_voxel": 'As in extract(). Not with "sphere".',
-    "largest_ball": "Diameter at which balls are cut, and the largest thickness, > 0, at most 256 voxels of the smallest spacing; default "
-    "32 voxels of the largest spacing. Time and memory grow with it.",
+    "largest_ball": "Diameter at which balls are cut, and the largest thickness, > 0, at most 256 voxels of the smallest spacing, as text "
+    "256vx; default 32 voxels of the largest spacing. Time and memory grow with it.",
     "threads": "1 or more; default one for each processor that this process may use. Results do not depend on it.",
     "memory": 'Limit of what the work takes beside arrays, in bytes or as text such as "2G"; default none. Results do not depend on it.',
     "input": "Any file or folder that the program reads.",

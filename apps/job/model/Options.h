@@ -68,7 +68,6 @@ struct JobOptions
                             upperThreshold;       ///< object: value <= upper; neither set: object is value != 0
   bool                      lowerIsOtsu{ false }; ///< measure the lower threshold, unless it is set already
   std::optional<LabelValue> label;                ///< object: value == label, and no thresholds; unset: they decide
-  bool                      voxelUnits{ false };  ///< lengths in voxels instead of physical units
 
   std::optional<double> neededMaximum; ///< thickness that walls need in place of the default, once known
 
@@ -126,7 +125,7 @@ struct ExtractOptions : JobOptions
 {
   std::string output; ///< labels, unsigned char
 
-  /** Lengths > 0 and finite, in the units of voxelUnits. The limits belong to the automatic thickness. */
+  /** Lengths > 0 and finite, in physical units. The limits belong to the automatic thickness. */
   std::optional<double> thickness;        ///< tau; unset: automatic
   std::optional<double> minimumThickness; ///< unset: 3 voxels of the smallest spacing
   std::optional<double> maximumThickness; ///< unset: 16 voxels of the smallest spacing, or what walls need
@@ -210,9 +209,9 @@ ListsPlaces(const ExtractOptions & options);
 std::string
 GetReportFile(const JobOptions & options);
 
-/** The image of the header in the units of the options. */
+/** The image of the header. */
 itk::MedialVoxelGrid
-GetGrid(const JobOptions & options, const VolumeHeader & header);
+GetGrid(const VolumeHeader & header);
 
 /** Whether walls may be measured on gray values, unless these are a mask or a label map. */
 bool
@@ -267,10 +266,6 @@ constexpr const char * AutomaticSpacing = "auto";
 
 /** Keeps the spacing of the input. */
 constexpr const char * UnchangedSpacing = "off";
-
-/** The unit of lengths, for a reader. */
-std::string
-DescribeUnit(const JobOptions & options, const VolumeGeometry & geometry);
 
 /** The thickness and its unit for a reader. */
 std::string

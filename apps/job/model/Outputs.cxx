@@ -46,9 +46,7 @@ WriteVectorsOf(const Result & tile, const TileTarget & target)
   {
     for (unsigned int axis = 0; axis < VDimension; ++axis)
     {
-      const double unit = row == axis ? 1.0 : 0.0;
-      matrix[row][axis] =
-        target.voxelUnits ? unit : target.geometry.direction[axis][row] * target.geometry.spacing[axis];
+      matrix[row][axis] = target.geometry.direction[axis][row] * target.geometry.spacing[axis];
     }
   }
   tile.WriteVectors(WriterType(matrix), static_cast<float *>(target.first), target.strides);

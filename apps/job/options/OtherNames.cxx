@@ -29,6 +29,7 @@ constexpr OtherName FormerNames[] = {
   { "--smallest-place", "--thin-below", " T,,A" },
   { "--min-place-area", "--thin-below", " T,,A" },
   { "--smallest-component", "--min-component-size" },
+  { "--voxel-units", "lengths with the unit", " vx, such as --thickness 3vx" },
   { "--section-width", "--sections" },
   { "--thickness-at", "--sections", " nodes" },
   { "--zarr-compression", "--compress" },

@@ -58,7 +58,7 @@ public:
   Start(ProductStart & start) override
   {
     const VolumeHeader & header = start.job.input;
-    this->StartSurvey(header.geometry, GetGrid(m_Options, header), this->GetSettings());
+    this->StartSurvey(header.geometry, GetGrid(header), this->GetSettings());
     start.survey = m_Survey.get();
   }
 
@@ -103,7 +103,7 @@ public:
   {
     const VolumeHeader & header = start.job.input;
     this->StartSurvey(header.geometry,
-                      GetGrid(m_Options, header),
+                      GetGrid(header),
                       this->GetSettings(),
                       start.survey->GetAreaUnit(),
                       start.job.plan.GetSurplusShare());
@@ -175,10 +175,10 @@ public:
     m_Preview = m_Pictures.labels;
     if (const VoxelOutput * const thicknesses = end.outputs.FindVolume("thickness_map"))
     {
-      const char * const ofFile = geometry.inMillimeters ? "mm" : "units";
+      const char * const unit = geometry.inMillimeters ? "mm" : "units";
       const ColorRange   colors = m_Options.colorRange.value_or(GetColorRange(m_Survey->GetSums().GetAreas()));
       const Canvas       other = DrawThicknessPreview(
-        labels, *thicknesses, geometry, *m_Survey, colors, m_Options.voxelUnits ? "voxels" : ofFile);
+        labels, *thicknesses, geometry, *m_Survey, colors, unit);
       m_Pictures.thicknesses = other.EncodePng();
       m_Preview = JoinCanvases(canvas, other).EncodePng();
     }

@@ -255,7 +255,7 @@ VolumeHeader
 ReadSheetInputHeader(const JobOptions & options)
 {
   const VolumeHeader header = ReadInputHeader(options);
-  if (options.resample || itk::MedialVoxelGridLimits::FindInaccuracy(GetGrid(options, header)).empty())
+  if (options.resample || itk::MedialVoxelGridLimits::FindInaccuracy(GetGrid(header)).empty())
   {
     return header;
   }
