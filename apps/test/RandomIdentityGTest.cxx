@@ -116,7 +116,6 @@ public:
     if (dice.OneIn(2))
     {
       m_Options.thicknessFile = (folder / "thickness.mha").string();
-      m_Options.thicknessCsvFile = (folder / "thickness.csv").string();
     }
     if (dice.OneIn(2))
     {
@@ -138,7 +137,6 @@ public:
     for (const auto & [file, name] : { std::make_pair(m_Options.vectorFile, "vectors.mha"),
                                        { m_Options.distanceFile, "distance.mha" },
                                        { m_Options.thicknessFile, "thickness.mha" },
-                                       { m_Options.thicknessCsvFile, "thickness.csv" },
                                        { m_Options.previewFile, "preview.png" } })
     {
       if (!file.empty())

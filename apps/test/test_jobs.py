@@ -133,7 +133,7 @@ class SmallJobTest(JobTestCase):
             "--thickness": 2, "--min-thickness": 2, "--max-thickness": 7, "--max-pore-size": 3,
             "--smooth": "on", "--lower": 1, "--upper": 1, "--label": 1, "--vectors": "v.mha",
             "--vector-boundary": "background", "--distance": "d.mha", "--thickness-map": "t.mha", "--sub-voxel": None,
-            "--uncertainty-map": "u.mha", "--materials": "0,100", "--thickness-csv": "t.csv", "--preview": "p.png", "--html": "p.html", "--report": "r.json",
+            "--uncertainty-map": "u.mha", "--materials": "0,100", "--preview": "p.png", "--html": "p.html", "--report": "r.json",
             "--color-range": "1,3",
             "--compress": "none", "--spacing": "1,2,3", "--resample": 0.75, "--resolution": 1,
             "--slices": "2-6", "--thin-below": "2,,3", "--thick-above": 2, "--places": "p.csv",

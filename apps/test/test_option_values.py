@@ -171,7 +171,7 @@ class OptionValueTest(ProgramTestCase):
 
     def test_names_of_outputs(self):
         volumes.write_meta(self.folder / "in.mha", volumes.box_with_plate())
-        for option in ("--distance", "--vectors", "--thickness-map", "--html", "--preview", "--thickness-csv"):
+        for option in ("--distance", "--vectors", "--thickness-map", "--html", "--preview", "--places"):
             self.assert_fails(USAGE, [f"{option} x.abc: "], "extract", "in.mha", "out.mha", option, "x.abc")
         parts = ["--largest-ball", "is 257;", "256 voxels"]
         self.assert_fails(USAGE, parts, "surface", "in.mha", "out.vtp", "--largest-ball", 257)

@@ -101,7 +101,7 @@ class ReportTest(ProgramTestCase):
         jsonschema.Draft202012Validator.check_schema(schema)
         validator = jsonschema.Draft202012Validator(schema)
         everything = ["--vectors", "v.mha", "--distance", "d.mha", "--preview", "p.png", "--html", "h.html"]
-        everything += ["--thickness-map", "t.mha", "--thickness-csv", "t.csv"]
+        everything += ["--thickness-map", "t.mha"]
         reports = [
             self.report("--lower", 72, *everything)[0],
             self.report("--lower", 101)[0],

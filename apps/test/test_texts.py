@@ -87,7 +87,7 @@ class TextsTest(ProgramTestCase):
     def test_bash_completes(self):
         self.assertEqual(self.complete("ex"), ["extract"])
         self.assertEqual(self.complete(""), [*COMMANDS, "-h", "--help", "-V", "--version", "--help-all"])
-        self.assertEqual(self.complete("extract", "--th"), ["--thin-below", "--thick-above", "--thickness-map", "--thickness", "--threads", "--thickness-csv"])
+        self.assertEqual(self.complete("extract", "--th"), ["--thin-below", "--thick-above", "--thickness-map", "--thickness", "--threads"])
         self.assertEqual(self.complete("distance", "--th"), ["--threads"])
         self.assertEqual(self.complete("extract", "--vector-boundary", ""), ["object", "background"])
         self.assertEqual(self.complete("extract", "--vector-boundary", "="), ["object", "background"])

@@ -21,6 +21,7 @@ FORMER_NAMES = {
     "--raw-spacing": "--spacing",
     "--zarr-compression": "--compress",
     "--voxel-units": "lengths with the unit vx, such as --thickness 3vx",
+    "--thickness-csv": "thickness.histogram of --report",
     "--section-width": "--sections",
     "--thickness-at": "--sections nodes",
     "--raw-header": "--raw-type TYPE:BYTES",

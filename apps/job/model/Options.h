@@ -154,7 +154,6 @@ struct ExtractOptions : JobOptions
   std::string                localThicknessFile; ///< local thickness of the object voxels, float32
   LocalThicknessMethod       localThicknessMethod{ LocalThicknessMethod::Wall };
   std::optional<double>      largestBall;      ///< largest of them, > 0; unset: 32 voxels of the largest spacing
-  std::string                thicknessCsvFile; ///< histogram of the thickness, comma-separated values
   std::optional<PlaceLimits> thinBelow;        ///< places with thinner walls are listed; not with labels
   std::optional<PlaceLimits> thickAbove;       ///< places with thicker walls are listed; not with labels
   std::string                placesFile;       ///< these places, comma-separated values

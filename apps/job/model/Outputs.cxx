@@ -119,7 +119,6 @@ ListOutputKinds(const ExtractOptions &)
     { "thickness_map", &Options::thicknessFile, Thicknesses },
     { "uncertainty_map", &Options::uncertaintyFile, Uncertainties },
     { "local_thickness", &Options::localThicknessFile, LocalThicknesses },
-    { "thickness_csv", &Options::thicknessCsvFile, {}, {}, { ".csv" }, "histogram" },
     { "places", &Options::placesFile, {}, {}, { ".csv" }, "list of places" },
     { "mesh", &Options::meshFile, {}, NoMesh },
     { "preview", &Options::previewFile, {}, {}, { ".png" }, "preview" },

@@ -30,6 +30,7 @@ constexpr OtherName FormerNames[] = {
   { "--min-place-area", "--thin-below", " T,,A" },
   { "--smallest-component", "--min-component-size" },
   { "--voxel-units", "lengths with the unit", " vx, such as --thickness 3vx" },
+  { "--thickness-csv", "thickness.histogram of --report" },
   { "--section-width", "--sections" },
   { "--thickness-at", "--sections", " nodes" },
   { "--zarr-compression", "--compress" },

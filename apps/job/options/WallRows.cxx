@@ -163,10 +163,6 @@ AddGrayValues(std::vector<OptionRow> & rows)
         "Materials",
         "Values of background and material for sub-voxel measures, with a comma between them; empty: those of the "
         "scan" });
-  AddRow(rows, "--thickness-csv", "FILE", File(&ExtractOptions::thicknessCsvFile))
-    .OfJobs(Extractions, Walls)
-    .Hidden()
-    .Help("Histogram of the thickness (.csv)", "A line for each bin: thickness, cells, area of the sheet.");
 }
 
 void

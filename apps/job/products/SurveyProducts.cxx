@@ -42,7 +42,7 @@ protected:
 };
 
 /** \class StatisticsProduct
- * \brief Statistics of the thickness, and their histogram. */
+ * \brief Statistics of the thickness. */
 class StatisticsProduct : public SurveyProduct<Survey>
 {
 public:
@@ -76,12 +76,6 @@ private:
     SurveySettings settings;
     settings.picture = WantsPictures(m_Options);
     return settings;
-  }
-
-  std::optional<std::string>
-  MakeText(const JobResult &) const override
-  {
-    return MakeThicknessCsv(*m_Survey);
   }
 };
 
@@ -250,9 +244,7 @@ private:
 
 } // namespace
 
-const ProductRow StatisticsRow{ &ExtractOptions::thicknessCsvFile, Make<StatisticsProduct>, [](const ExtractOptions &) {
-                                 return true;
-                               } };
+const ProductRow StatisticsRow{ nullptr, Make<StatisticsProduct>, [](const ExtractOptions &) { return true; } };
 const ProductRow PlaceRow{ &ExtractOptions::placesFile, Make<PlaceProduct>, ListsPlaces };
 const ProductRow PictureRow{ &ExtractOptions::previewFile, Make<PictureProduct>, WantsPictures };
 const ProductRow PageRow{ &ExtractOptions::htmlFile, Make<PageProduct> };
