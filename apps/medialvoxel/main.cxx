@@ -45,7 +45,7 @@ RunLogged(const CommandLine & line, const std::string & logFile, TWork && work)
   {
     return work(*MakeSink(line));
   }
-  Log        log(logFile, line.program.logLevel);
+  Log        log(logFile);
   const auto sink = MakeLogSink(log, MakeSink(line));
   try
   {

@@ -127,7 +127,7 @@ class SmallJobTest(JobTestCase):
         """What changes a byte is in the manifest; what is not must be known here to change none."""
         help_text = self.run_program("plan", "--help-all").stdout
         of_run = {"--memory", "--threads", "--overwrite", "--divisions", "--dry-run", "--progress", "--quiet", "--log-file"}
-        of_run |= {"--log-level", "--scratch", "--slurm", "--slurm-clusters"}
+        of_run |= {"--scratch", "--slurm", "--slurm-clusters"}
         raw = "--raw-size 40,36,33 --raw-type uint8:5:big"
         values = {
             "--thickness": 2, "--min-thickness": 2, "--max-thickness": 7, "--max-pore-size": 3,

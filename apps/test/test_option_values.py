@@ -19,7 +19,7 @@ ARGUMENTS = {
 }  # fmt: skip
 RAW = ["--raw-size=2,2,2", "--raw-type=uint8"]
 NEEDS = {
-    "--raw-size": RAW[1:], "--raw-type": RAW[:1], "--log-level": ["--log-file=log.txt"], "--slurm-clusters": ["--slurm"], "--materials": ["--lower=2.5"],
+    "--raw-size": RAW[1:], "--raw-type": RAW[:1], "--slurm-clusters": ["--slurm"], "--materials": ["--lower=2.5"],
     "--sub-voxel": ["--lower=50"], "--fail-if-thin": ["--thin-below=2"],
 }  # fmt: skip
 # Of commands with a mesh or a thickness of their own these are no options.

@@ -22,6 +22,7 @@ FORMER_NAMES = {
     "--zarr-compression": "--compress",
     "--voxel-units": "lengths with the unit vx, such as --thickness 3vx",
     "--thickness-csv": "thickness.histogram of --report",
+    "--log-level": "the first word of each line of --log-file",
     "--section-width": "--sections",
     "--thickness-at": "--sections nodes",
     "--raw-header": "--raw-type TYPE:BYTES",

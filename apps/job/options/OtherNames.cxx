@@ -31,6 +31,7 @@ constexpr OtherName FormerNames[] = {
   { "--smallest-component", "--min-component-size" },
   { "--voxel-units", "lengths with the unit", " vx, such as --thickness 3vx" },
   { "--thickness-csv", "thickness.histogram of --report" },
+  { "--log-level", "the first word of each line of --log-file" },
   { "--section-width", "--sections" },
   { "--thickness-at", "--sections", " nodes" },
   { "--zarr-compression", "--compress" },

@@ -3,7 +3,6 @@
 #ifndef medialvoxelProgramOptions_h
 #define medialvoxelProgramOptions_h
 
-#include "LogRecord.h"
 #include "Options.h"
 #include "Progress.h"
 
@@ -26,7 +25,6 @@ struct ProgramOptions
   ProgressStyle progress{ ProgressStyle::Auto };
   bool          quiet{ false };
   bool          showsPhases{ false }; ///< prints the long table
-  LogLevel      logLevel{ LogLevel::Info };
 
   /** Lengths that were given in voxels, each of which sets its option when it is told how long a voxel is. */
   std::vector<std::function<void(double voxel)>> lengthsInVoxels;

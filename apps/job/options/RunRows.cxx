@@ -236,18 +236,6 @@ AddMessages(std::vector<OptionRow> & rows)
     .Of(Processes, Group)
     .HiddenIn(Runs)
     .Help("Append one line per step to this file", "Several processes may share it. Lines that are there stay.");
-  AddRow(rows,
-         "--log-level",
-         "LEVEL",
-         Choice<ProgramOptions, LogLevel>(&ProgramOptions::logLevel,
-                                          { { "info", LogLevel::Info },
-                                            { "error", LogLevel::Error },
-                                            { "warning", LogLevel::Warning },
-                                            { "debug", LogLevel::Debug } }))
-    .Of(Processes, Group)
-    .Hidden()
-    .Help("Least urgent lines of --log-file", "Lines that are less urgent are left out.")
-    .Requires("--log-file");
 }
 
 void
