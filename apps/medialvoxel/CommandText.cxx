@@ -186,10 +186,11 @@ MakeManualPage(const CommandLine & line, const CLI::App & app)
   const auto addOption = [&](const CLI::Option & option) {
     page += ".TP\n.B " + ToRoff(GetUsage(option)) + "\n" + ToRoff(option.get_description());
     const std::vector<std::string> & choices = GetChoices(line, option);
-    page += choices.empty() ? ".\n"
-                            : ToRoff(": " + CLI::detail::join(choices, ", ") +
-                                     (FindRow(line, option)->value.initial ? " (default " + choices.front() + ")." : ".")) +
-                                "\n";
+    page += choices.empty()
+              ? ".\n"
+              : ToRoff(": " + CLI::detail::join(choices, ", ") +
+                       (FindRow(line, option)->value.initial ? " (default " + choices.front() + ")." : ".")) +
+                  "\n";
     const std::string details = GetDetails(line, option);
     page += details.empty() ? "" : ToRoff(details) + "\n";
   };

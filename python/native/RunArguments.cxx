@@ -142,8 +142,8 @@ template <typename TOptions, typename TRun>
 nlohmann::json
 Run(const ArrayCall & call, unsigned int command, const std::vector<std::string> & words, TRun && run)
 {
-  TOptions       options;
-  ProgramOptions program;
+  TOptions                    options;
+  ProgramOptions              program;
   const std::vector<double> & spacing = call.header.geometry.spacing;
   SetOptions(command, words, MakeTarget(options, program), *std::min_element(spacing.begin(), spacing.end()));
   CheckOptions(options);

@@ -78,10 +78,10 @@ struct JobOptions
 
   std::string scratchFolder; ///< for a compressed volume whose values do not fit the memory; empty: none
 
-  std::optional<std::uint64_t> memoryLimit;       ///< cap on the memory; unset: half of the free memory
-  std::optional<unsigned int>  threads;           ///< 1 or more; unset: as ITK decides
-  std::optional<std::uint64_t> divisions;         ///< pieces along the last axis, 1 or more; unset: chosen
-  bool                         sparse{ false };   ///< blocks of zeros stay holes of the files, nothing is reserved
+  std::optional<std::uint64_t> memoryLimit;     ///< cap on the memory; unset: half of the free memory
+  std::optional<unsigned int>  threads;         ///< 1 or more; unset: as ITK decides
+  std::optional<std::uint64_t> divisions;       ///< pieces along the last axis, 1 or more; unset: chosen
+  bool                         sparse{ false }; ///< blocks of zeros stay holes of the files, nothing is reserved
   Compression                  compression{ Compression::Default }; ///< of volumes
   bool                         overwrite{ false };                  ///< replace existing outputs
   bool                         dryRun{ false };                     ///< plan and check only
@@ -153,11 +153,11 @@ struct ExtractOptions : JobOptions
   std::string                uncertaintyFile;    ///< of the thickness at medial cells, float32
   std::string                localThicknessFile; ///< local thickness of the object voxels, float32
   LocalThicknessMethod       localThicknessMethod{ LocalThicknessMethod::Wall };
-  std::optional<double>      largestBall;      ///< largest of them, > 0; unset: 32 voxels of the largest spacing
-  std::optional<PlaceLimits> thinBelow;        ///< places with thinner walls are listed; not with labels
-  std::optional<PlaceLimits> thickAbove;       ///< places with thicker walls are listed; not with labels
-  std::string                placesFile;       ///< these places, comma-separated values
-  bool failsIfThin{ false };                   ///< the program ends with ExitStatus::TooThin when there are thin ones
+  std::optional<double>      largestBall; ///< largest of them, > 0; unset: 32 voxels of the largest spacing
+  std::optional<PlaceLimits> thinBelow;   ///< places with thinner walls are listed; not with labels
+  std::optional<PlaceLimits> thickAbove;  ///< places with thicker walls are listed; not with labels
+  std::string                placesFile;  ///< these places, comma-separated values
+  bool failsIfThin{ false };              ///< the program ends with ExitStatus::TooThin when there are thin ones
 
   std::string           previewFile;               ///< PNG
   std::string           htmlFile;                  ///< report as a page with the preview

@@ -132,11 +132,12 @@ AddElements(std::vector<OptionRow> & rows)
     .Of(Sheets, "Mesh")
     .Hidden()
     .RefusedIn(Plan)
-    .Help("Step of the thickness of sections, or nodes",
-          "Elements of nearly the same thickness share a section, as every solver reads. STEP is in units of the spacing; "
-          "default: a quarter of the smallest spacing. nodes: .inp has the thickness at nodes, .bdf and .k at the corners "
-          "of elements. Needs a mesh in " +
-            solvers + ".")
+    .Help(
+      "Step of the thickness of sections, or nodes",
+      "Elements of nearly the same thickness share a section, as every solver reads. STEP is in units of the spacing; "
+      "default: a quarter of the smallest spacing. nodes: .inp has the thickness at nodes, .bdf and .k at the corners "
+      "of elements. Needs a mesh in " +
+        solvers + ".")
     .Needs("a mesh that is written as " + solvers, HasElements);
   AddRow(rows, "--min-branch-length", "L", Length(&ExtractOptions::minimumBranchLength, ToLengthOrNone))
     .Of(Mesh, "Mesh")

@@ -224,7 +224,7 @@ ToPlaceLimits(const std::string & text, PlaceKind kind)
   {
     limits.growLimit = ToLength(values[1]);
   }
-  const double      growLimit = limits.GetGrowLimit(kind);
+  const double growLimit = limits.GetGrowLimit(kind);
   if (isThin ? growLimit < limits.limit : growLimit > limits.limit)
   {
     Refuse(text,

@@ -170,12 +170,14 @@ AddPlaces(std::vector<OptionRow> & rows)
 {
   AddRow(rows, "--thin-below", "T,G,A", PlacesBeyond(&ExtractOptions::thinBelow, PlaceKind::Thin))
     .OfJobs(Extractions, Places)
-    .Help(
-      "List places thinner than T, grown to G, of area A",
-      "In units of the spacing, A in squared ones; G and A may be left out: T, T,G or T,,A. A place is connected medial "
-      "cells with walls thinner than G, one of them thinner than T; default of G: 1.125 T. Its cells thinner than T have "
-      "at least the area A; default: that of ten faces of voxels, 10vx; 0 keeps all. Measured as --thickness-map. Walls "
-      "thinner than 3 voxels may have holes. Not with --labels.")
+    .Help("List places thinner than T, grown to G, of area A",
+          "In units of the spacing, A in squared ones; G and A may be left out: T, T,G or T,,A. A place is connected "
+          "medial "
+          "cells with walls thinner than G, one of them thinner than T; default of G: 1.125 T. Its cells thinner than "
+          "T have "
+          "at least the area A; default: that of ten faces of voxels, 10vx; 0 keeps all. Measured as --thickness-map. "
+          "Walls "
+          "thinner than 3 voxels may have holes. Not with --labels.")
     .Slicer({ Outputs, "thinBelow", "Thin below", "" });
   AddRow(rows, "--thick-above", "T,G,A", PlacesBeyond(&ExtractOptions::thickAbove, PlaceKind::Thick))
     .OfJobs(Extractions, Places)

@@ -42,8 +42,7 @@ GetMostPlaces(const VolumeGeometry & geometry, const PlaceLimits & limits)
   // Places with the voxels behind their cells do not overlap: ten cells have (10^(1/3) + 1)^3, or (10^(1/2) + 1)^2.
   const std::uint64_t voxelsOfTenCells = geometry.GetDimension() == 3 ? 31 : 17;
   const std::uint64_t voxelsOfCell = std::uint64_t{ 1 } << geometry.GetDimension();
-  const std::uint64_t places =
-    geometry.GetNumberOfVoxels() / (limits.leastArea ? voxelsOfCell : voxelsOfTenCells) + 1;
+  const std::uint64_t places = geometry.GetNumberOfVoxels() / (limits.leastArea ? voxelsOfCell : voxelsOfTenCells) + 1;
   return std::min<std::uint64_t>(places, PlaceList::MostPlaces);
 }
 

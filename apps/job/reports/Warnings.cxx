@@ -61,9 +61,7 @@ MeasureLength(const char * name, double value, const VolumeHeader & input)
 
 /** Lengths of walls that are far from the usual 1 to 50 voxels: often the units are others than the user thinks. */
 std::optional<WarningText>
-CheckLength(const char *                  name,
-            const std::optional<double> & value,
-            const VolumeHeader &          input)
+CheckLength(const char * name, const std::optional<double> & value, const VolumeHeader & input)
 {
   constexpr double farBelow = 0.5;
   constexpr double farAbove = 100.0;
@@ -298,8 +296,7 @@ CheckBalls(const ExtractOptions & options, const JobResult & result)
   }
   const double maximum = GetLocalThickness(options, GetGrid(result.input)).maximumThickness;
   return WarningText{ FormatShare(share) + " of the object has the thickness of the largest ball, " +
-                        FormatShort(maximum) +
-                        ", and may be thicker; a larger --largest-ball measures it",
+                        FormatShort(maximum) + ", and may be thicker; a larger --largest-ball measures it",
                       { { "object_percent", 100.0 * share }, { "largest_ball", maximum } } };
 }
 

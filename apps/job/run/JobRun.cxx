@@ -43,8 +43,7 @@ MakeBalls(Job & job)
     auto * const thickness = FindWallThickness(task);
     if (thickness != nullptr && FindsWallsBefore(job))
     {
-      thickness->balls = balls =
-        std::make_shared<itk::MedialVoxelWallBalls>(GetGrid(job.result.input), *thickness);
+      thickness->balls = balls = std::make_shared<itk::MedialVoxelWallBalls>(GetGrid(job.result.input), *thickness);
     }
   }
   return balls;
