@@ -76,7 +76,7 @@ VARIANTS = {
         "gyroid",
         (),
         "256",
-        {"tau 3": (3,), "tau 3 mm, 0.957 x 0.957 x 1.5": (3, "--raw-spacing", "0.957,0.957,1.5")},
+        {"tau 3": (3,), "tau 3 mm, 0.957 x 0.957 x 1.5": (3, "--spacing", "0.957,0.957,1.5")},
     ),
 }
 CRANIUM_SIZE = "256,256,108"
@@ -355,7 +355,7 @@ def measure_variants(arguments, scratch):
     shutil.copyfile(arguments.cranium, volume)
     extractions = {
         "tau 3": (3,),
-        "tau 3 mm, 0.957 x 0.957 x 1.5": (3, "--raw-spacing", CRANIUM_SPACING),
+        "tau 3 mm, 0.957 x 0.957 x 1.5": (3, "--spacing", CRANIUM_SPACING),
     }
     variants["cranium"] = measure_variant(
         arguments, scratch, volume, CRANIUM_SIZE, extractions, "int16", ("--lower", "200")

@@ -21,14 +21,14 @@ import compare_peers
 import run_benchmarks as common
 
 # The thickness and further options; FILE is a new file in the scratch folder.
-FIXED = {"fixed": (3, "--voxel-units")}
+FIXED = {"fixed": ("3vx",)}
 USUAL = FIXED | {
     "automatic": ("auto",),
     "with a mesh": ("auto", "--mesh", "FILE.vtp"),
     "with report, page and picture": ("auto", "--report", "FILE.json", "--html", "FILE.html", "--preview", "FILE.png"),
 }
-LONG = {"thickness 8": (8, "--voxel-units"), "thickness 12": (12, "--voxel-units")}
-VOXELS = {"automatic in voxels": ("auto", "--voxel-units")}
+LONG = {"thickness 8": ("8vx",), "thickness 12": ("12vx",)}
+VOXELS = {"automatic in voxels": ("auto", "--spacing", "1,1,1")}
 
 # The size is that of a file with a header; otherwise it is the source.
 Case = collections.namedtuple("Case", "source options ways size", defaults=(None,))

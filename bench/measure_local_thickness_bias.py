@@ -115,7 +115,7 @@ def run(program, values, lower, spacing, options, scratch):
     values.tofile(source)
     size, kind = values.shape[::-1], values.dtype.name
     command = [program, "extract", source, labels, "--raw-size", ",".join(map(str, size)), "--raw-type", kind, "--lower", lower]
-    command += ["--raw-spacing", ",".join(map(repr, spacing)), "--local-thickness", thickness, "--smooth", "off", "--max-pore-size", 0]
+    command += ["--spacing", ",".join(map(repr, spacing)), "--local-thickness", thickness, "--smooth", "off", "--max-pore-size", 0]
     command += [*options, "--threads", 1, "--quiet", "--overwrite"]
     subprocess.run([str(word) for word in command], check=True)
     return read_voxels(thickness, np.float32, size) / max(spacing)

@@ -61,7 +61,6 @@ EVENTS = (
     ("piece", "info", "slices, seconds, voxels computed again, bytes read and peak memory so far"),
     ("note", "info", "for example, that an input was unpacked"),
     ("end", "info", "seconds of the whole run"),
-    ("write", "debug", "seconds that a piece waited for the disk"),
     ("planned, job, cluster, clusters, verified, published", "info", "steps of [jobs](../how-to/jobs.md#logs)"),
 )
 
@@ -156,7 +155,7 @@ def make_formats(catalog):
     volumes = [
         [f"`{row['extension']}`", row["format"], mark(row["written"]), mark(row["vectors"]),
          "always" if row["always_packed"] else "with `--compress`" if row["packed_on_request"] else
-         "with `--zarr-compression`" if row["format"] == "Zarr" else "no"]
+         "with `--compress`" if row["format"] == "Zarr" else "no"]
         for row in catalog["volume_formats"]
     ]  # fmt: skip
     meshes = [[f"`{extension}`", *MESH_FORMATS[extension]] for extension in catalog["mesh_formats"]]
@@ -273,7 +272,7 @@ def make_report(catalog, schema):
         table(["style", "what is shown"], [[f"`{style}`", text] for style, text in PROGRESS.items()]),
         "## Log\n",
         "`--log-file FILE` adds one line per step: time (UTC), level, process, event, values. Values with blanks are quoted as in JSON.\n"
-        "Existing lines stay; a file that is not a log is refused. `--log-level` sets the least urgent level.\n",
+        "Existing lines stay; a file that is not a log is refused.\n",
         "```text\n"
         '2026-11-22T00:12:31.402Z info 4711 start work="extracting medial voxels"\n'
         '2026-11-22T00:12:31.418Z info 4711 plan input=part.mha format=MetaImage size="1500 x 1500 x 668" type=uint8 pieces=21 ...\n'

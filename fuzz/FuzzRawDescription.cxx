@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-// A headerless file: the lines are the values of --raw-size, --raw-type, --raw-spacing and --raw-header.
+// A headerless file: the lines are the values of --raw-size and --raw-type.
 
 #include "Errors.h"
 #include "FuzzArguments.h"
@@ -37,7 +37,7 @@ LLVMFuzzerTestOneInput(const std::uint8_t * data, std::size_t size)
 {
   static const InputFile         file("in.raw", std::string(InputFile::BytesOfVoxels, '\1'));
   const std::vector<std::string> values = SplitIntoLines(data, size);
-  const std::vector<std::string> names{ "--raw-size", "--raw-type", "--raw-spacing", "--raw-header" };
+  const std::vector<std::string> names{ "--raw-size", "--raw-type" };
   std::vector<std::string>       arguments{ "info", file.GetPath().string() };
   for (std::size_t i = 0; i < std::min(names.size(), values.size()); ++i)
   {

@@ -89,22 +89,22 @@ DefineParameters(ModuleOptions & options)
   auto app = std::make_unique<CLI::App>(
     "Extracts the medial voxels of an object in a volume, as a module of 3D Slicer or by itself.",
     "MedialVoxelExtraction");
-  const OptionTarget target = MakeTarget(options.job, options);
+  const OptionTarget target = MakeTarget(options.job, options.program, options);
   AddParameters(*app, target);
   AddCommonParameters(*app, target);
-  app->footer(
-    "What follows -- or --ignore_rest is no option. A boolean is given as --voxelUnits or --voxelUnits=true.\n\n"
-    "Labels: 0 no object, 1 not medial, 2 medial by bound, 3 medial by geodesic search.\n"
-    "Exit status: 0 done, 1 failure, 2 wrong usage, 3 refused, 4 corrupt input, 130 or 143 stopped by a "
-    "signal.\n\n"
-    "Example:\n"
-    "  MedialVoxelExtraction --objectSelection AboveLower --lowerThreshold 72 part.mha medial.mha");
+  app->footer("What follows -- or --ignore_rest is no option. A boolean is given as --resample or --resample=true.\n\n"
+              "Labels: 0 no object, 1 not medial, 2 medial by bound, 3 medial by geodesic search.\n"
+              "Exit status: 0 done, 1 failure, 2 wrong usage, 3 refused, 4 corrupt input, 130 or 143 stopped by a "
+              "signal.\n\n"
+              "Example:\n"
+              "  MedialVoxelExtraction --objectSelection AboveLower --lowerThreshold 72 part.mha medial.mha");
   return app;
 }
 
 void
 CompleteJob(const CLI::App & app, ModuleOptions & options)
 {
+  SetLengthsInVoxels(options.program, options.job, true);
   const ObjectSelection selection = options.objectSelection;
   if (selection == ObjectSelection::AboveLower || selection == ObjectSelection::Between)
   {

@@ -22,13 +22,14 @@ FindOption(const CLI::App & command, const std::string & word)
 
 /** Whether a word is the value of the flag before it. 0 and 1 are not: files have these names. */
 bool
-IsWordOfFlag(const std::string & word)
+IsWordOfFlag(const std::string & word, const std::vector<std::string> & names)
 {
-  return word != "0" && word != "1" && ParseFlag(word);
+  const bool isName = std::find(names.begin(), names.end(), ToLower(word)) != names.end();
+  return isName || (word != "0" && word != "1" && ParseFlag(word));
 }
 
 std::vector<std::string>
-CompleteWords(const CLI::App & command, const std::vector<std::string> & words)
+CompleteWords(const CLI::App & command, const std::vector<std::string> & words, const WordsOfFlag & wordsOfFlag)
 {
   std::vector<std::string>      complete;
   std::set<const CLI::Option *> given;
@@ -51,6 +52,7 @@ CompleteWords(const CLI::App & command, const std::vector<std::string> & words)
     complete.push_back(name);
     const bool hasSign = sign != std::string::npos;
     const bool hasNext = i + 1 < words.size();
+    const auto names = wordsOfFlag ? wordsOfFlag(*option) : std::vector<std::string>();
     if (option->get_items_expected_max() == 0) // help and version, which end the program
     {
       if (hasSign)
@@ -63,9 +65,9 @@ CompleteWords(const CLI::App & command, const std::vector<std::string> & words)
     {
       complete.push_back(word.substr(sign + 1));
     }
-    else if (!HasValue(*option))
+    else if (!HasValue(*option) || !names.empty())
     {
-      complete.push_back(hasNext && IsWordOfFlag(words[i + 1]) ? words[++i] : "true");
+      complete.push_back(hasNext && IsWordOfFlag(words[i + 1], names) ? words[++i] : "true");
     }
     else if (!hasNext || FindOption(command, words[i + 1]) != nullptr)
     {
@@ -101,7 +103,7 @@ FindCommand(const CLI::App & app, const std::vector<std::string> & words)
 }
 
 void
-ParseWords(CLI::App & app, std::vector<std::string> words)
+ParseWords(CLI::App & app, std::vector<std::string> words, const WordsOfFlag & wordsOfFlag)
 {
   const CLI::App * const   command = FindCommand(app, words);
   std::vector<std::string> reversed;
@@ -110,7 +112,7 @@ ParseWords(CLI::App & app, std::vector<std::string> words)
     reversed.push_back(words.front());
     words.erase(words.begin());
   }
-  words = CompleteWords(command != nullptr ? *command : app, words);
+  words = CompleteWords(command != nullptr ? *command : app, words, wordsOfFlag);
   reversed.insert(reversed.end(), words.begin(), words.end());
   std::reverse(reversed.begin(), reversed.end());
   app.parse(std::move(reversed));

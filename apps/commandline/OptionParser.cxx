@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "OptionParser.h"
 
+#include "Errors.h"
+#include "ReadVolumeHeader.h"
+
+#include <algorithm>
+
 namespace medialvoxel
 {
 
@@ -14,21 +19,45 @@ AddOption(CLI::App &           app,
           const OptionTarget & target)
 {
   const auto parse = [name, value, target](const CLI::results_t & results) {
-    try
-    {
-      // How long a voxel is, is known when the volume is.
-      if (!value.isLength || !HasVoxels(results.front()))
+    const auto set = [name, value, target, text = results.front()](double voxel) {
+      try
       {
-        value.set(target, value.isLength ? ReplaceUnits(results.front(), 1.0) : results.front());
+        value.set(target, value.isLength ? ReplaceUnits(text, voxel) : text);
       }
-    }
-    catch (const WrongValue & error)
-    {
-      throw CLI::ValidationError(name, error.what());
-    }
+      catch (const WrongValue & error)
+      {
+        throw CLI::ValidationError(name, error.what());
+      }
+    };
+    // How long a voxel is, is known when the volume is.
+    const bool waits = value.isLength && HasVoxels(results.front());
+    waits ? std::get<ProgramOptions *>(target)->lengthsInVoxels.push_back(set) : set(1.0);
     return true;
   };
-  return app.add_option(name, parse, help)->type_name(value.isFlag ? "" : unit)->type_size(1)->expected(1);
+  return app.add_option(name, parse, help)->type_name(unit)->type_size(1)->expected(1);
+}
+
+void
+SetLengthsInVoxels(const ProgramOptions & program, const JobOptions & options, bool hasSheets)
+{
+  if (program.lengthsInVoxels.empty())
+  {
+    return;
+  }
+  const VolumeHeader          header = hasSheets ? ReadSheetInputHeader(options) : ReadInputHeader(options);
+  const std::vector<double> & spacing = header.geometry.spacing;
+  const double                voxel = *std::min_element(spacing.begin(), spacing.end());
+  try
+  {
+    for (const auto & set : program.lengthsInVoxels)
+    {
+      set(voxel);
+    }
+  }
+  catch (const CLI::ParseError & error)
+  {
+    Fail(ExitStatus::Usage, error.what());
+  }
 }
 
 bool

@@ -22,6 +22,10 @@ AddOption(CLI::App &           app,
           const OptionValue &  value,
           const OptionTarget & target);
 
+/** Sets the lengths that are in voxels, the smallest spacing, which the volume tells. \throw JobError */
+void
+SetLengthsInVoxels(const ProgramOptions & program, const JobOptions & options, bool hasSheets);
+
 /** Whether a value is the word behind an option. */
 bool
 HasValue(const CLI::Option & option);

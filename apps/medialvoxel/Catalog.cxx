@@ -96,8 +96,8 @@ DescribeVolumeFormats()
                      { "format", FindInputFormat(fileName).name },
                      { "written", isWritten },
                      { "vectors", Contains(ofVectors, extension) },
-                     { "always_packed", isWritten && IsPackedVolume(fileName, false) },
-                     { "packed_on_request", isWritten && IsPackedVolume(fileName, true) } });
+                     { "always_packed", isWritten && IsPackedVolume(fileName, Compression::Default) },
+                     { "packed_on_request", isWritten && IsPackedVolume(fileName, Compression::On) } });
   }
   return json;
 }

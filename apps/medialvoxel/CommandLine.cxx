@@ -6,12 +6,8 @@
 #include "CommandText.h"
 #include "Errors.h"
 #include "OptionParser.h"
-#include "ReadVolumeHeader.h"
-#include "Text.h"
 #include "MeshFormat.h"
 #include "Version.h"
-
-#include <algorithm>
 
 namespace medialvoxel
 {
@@ -164,33 +160,6 @@ CompleteJobs(CommandLine & line)
   line.finalizeOptions.jobFolder = line.program.jobFolder;
 }
 
-/** Sets the lengths in voxels, the smallest spacing, which the volume tells. */
-void
-SetLengthsInVoxels(const CommandLine & line, const CLI::App & app, const OptionTarget & target)
-{
-  for (const CLI::Option * const option : app.get_options())
-  {
-    const OptionRow * const row = FindRow(line, *option);
-    if (!row || option->count() == 0 || !row->value.isLength || !HasVoxels(option->results().front()))
-    {
-      continue;
-    }
-    const JobOptions & options = *std::get<JobOptions *>(target);
-    const bool         hasSheets = (row->commands & Commands::Distance) == 0;
-    const auto         header = hasSheets ? ReadSheetInputHeader(options) : ReadInputHeader(options);
-    const auto &       spacing = header.geometry.spacing;
-    const double       voxel = options.voxelUnits ? 1.0 : *std::min_element(spacing.begin(), spacing.end());
-    try
-    {
-      row->value.set(target, ReplaceUnits(option->results().front(), voxel));
-    }
-    catch (const WrongValue & error)
-    {
-      Fail(ExitStatus::Usage, row->name, ": ", error.what());
-    }
-  }
-}
-
 } // namespace
 
 std::unique_ptr<CLI::App>
@@ -225,7 +194,11 @@ CompleteCommandLine(CommandLine & line)
 {
   for (const CommandRow & command : ListCommands())
   {
-    SetLengthsInVoxels(line, *(line.*command.app), command.getTarget(line));
+    if ((line.*command.app)->parsed() && !line.program.lengthsInVoxels.empty())
+    {
+      const bool hasSheets = (command.command & Commands::Distance) == 0;
+      SetLengthsInVoxels(line.program, *std::get<JobOptions *>(command.getTarget(line)), hasSheets);
+    }
   }
   CompleteElements(*line.extract, line.extractOptions);
   CompleteElements(*line.mesh, line.meshOptions);

@@ -189,7 +189,7 @@ MakeManualPage(const CommandLine & line, const CLI::App & app)
     page += choices.empty()
               ? ".\n"
               : ToRoff(": " + CLI::detail::join(choices, ", ") +
-                       (option.get_name() == "--raw-type" ? "." : " (default " + choices.front() + ").")) +
+                       (FindRow(line, option)->value.initial ? " (default " + choices.front() + ")." : ".")) +
                   "\n";
     const std::string details = GetDetails(line, option);
     page += details.empty() ? "" : ToRoff(details) + "\n";

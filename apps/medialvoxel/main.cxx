@@ -45,7 +45,7 @@ RunLogged(const CommandLine & line, const std::string & logFile, TWork && work)
   {
     return work(*MakeSink(line));
   }
-  Log        log(logFile, line.program.logLevel);
+  Log        log(logFile);
   const auto sink = MakeLogSink(log, MakeSink(line));
   try
   {
@@ -455,7 +455,10 @@ main(int argc, char * argv[])
     const std::vector<std::string> words = ReplaceHelp({ argv + std::min(argc, 1), argv + argc });
     try
     {
-      ParseWords(*app, words);
+      ParseWords(*app, words, [&line](const CLI::Option & option) {
+        const OptionRow * const row = FindRow(line, option);
+        return row && row->value.isFlag ? row->value.choices : std::vector<std::string>();
+      });
     }
     catch (const CLI::ParseError & error)
     {

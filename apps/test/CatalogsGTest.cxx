@@ -143,7 +143,7 @@ TEST(MedialVoxelOutputs, WithOtherExtensionsAreRefused)
   options.htmlFile = "page.htm";
   options.previewFile = "picture.PNG";
   EXPECT_NO_THROW(CheckExtensions(options));
-  options.thicknessCsvFile = "histogram.txt";
+  options.placesFile = "places.txt";
   EXPECT_THROW(CheckExtensions(options), JobError);
 }
 

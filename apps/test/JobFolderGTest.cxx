@@ -38,7 +38,7 @@ MakeManifest()
   manifest.options.lowerThreshold = -std::numeric_limits<double>::infinity();
   manifest.options.upperThreshold = 1e300;
   manifest.options.vectorBoundary = itk::MedialVoxelBoundary::Background;
-  manifest.options.raw = RawDescription{ { 3, 4, 100 }, PixelType::Int16, { 0.1, 0.2, 0.3 }, 5, true };
+  manifest.options.raw = RawDescription{ { 3, 4, 100 }, PixelType::Int16, 5, true };
   manifest.options.memoryLimit = 123456789;
   manifest.input.push_back({ "/in.raw", 2405, -5 });
   manifest.numberOfSlices = 100;

@@ -84,7 +84,6 @@ WithLimits(TOptions options, const JobOptions & limits)
 void
 DrawObject(JobOptions & options, const RandomVolume & volume, Dice & dice)
 {
-  options.voxelUnits = dice.OneIn(3);
   // Values of 0 and 100 make the same object with and without a limit; one in three relies on that of zero.
   if (volume.pixelType == PixelType::Float32 || !dice.OneIn(3))
   {
@@ -117,7 +116,6 @@ public:
     if (dice.OneIn(2))
     {
       m_Options.thicknessFile = (folder / "thickness.mha").string();
-      m_Options.thicknessCsvFile = (folder / "thickness.csv").string();
     }
     if (dice.OneIn(2))
     {
@@ -139,7 +137,6 @@ public:
     for (const auto & [file, name] : { std::make_pair(m_Options.vectorFile, "vectors.mha"),
                                        { m_Options.distanceFile, "distance.mha" },
                                        { m_Options.thicknessFile, "thickness.mha" },
-                                       { m_Options.thicknessCsvFile, "thickness.csv" },
                                        { m_Options.previewFile, "preview.png" } })
     {
       if (!file.empty())
@@ -229,6 +226,7 @@ DrawLimits(const Subject & subject, const VolumeFile & file, Dice & dice, const 
   JobOptions limits;
   limits.input = file.fileName;
   limits.raw = file.raw;
+  limits.spacing = file.spacing;
   limits.sparse = dice.OneIn(2);
   limits.threads = static_cast<unsigned int>(dice.Roll(1, 5));
   if (dice.OneIn(2))

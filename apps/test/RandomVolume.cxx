@@ -247,11 +247,12 @@ WriteVolume(const RandomVolume & volume, int format, const TemporaryFolder & fol
       return { (folder / "in5.nrrd").string(), {} };
     case 6:
       folder.Write("in6.raw", ToBytes(volume, false));
-      return { (folder / "in6.raw").string(), RawDescription{ volume.size, volume.pixelType, volume.spacing } };
+      return { (folder / "in6.raw").string(), RawDescription{ volume.size, volume.pixelType }, volume.spacing };
     case 7:
       folder.Write("in7.raw", "seven b" + ToBytes(volume, true));
       return { (folder / "in7.raw").string(),
-               RawDescription{ volume.size, volume.pixelType, volume.spacing, 7, true } };
+               RawDescription{ volume.size, volume.pixelType, 7, true },
+               volume.spacing };
     default:
       throw std::invalid_argument("no such format");
   }

@@ -67,6 +67,7 @@ struct VolumeFile
 {
   std::string                   fileName;
   std::optional<RawDescription> raw;
+  std::vector<double>           spacing{}; ///< that the file does not have
 };
 
 /** Number of the formats that WriteVolume() knows; 0 is an uncompressed MetaImage. */

@@ -27,7 +27,7 @@ class JobKillCase(JobTestCase):
         """Sets what each run begins with, and what is expected of it in the end."""
         extract = ["extract", "../in.mha", "out.mha", *OPTIONS]
         if overwrites:
-            self.in_target(*extract, "--voxel-units")
+            self.in_target(*extract, "--spacing", "0.5,0.5,0.5")
         start = PreparedFolder(self.target, self.folder / "start")
         self.in_target(*extract, *overwrites)
         self.expected = results(self.target)

@@ -24,7 +24,7 @@ RUN_KEYS = (
 )
 
 ALL_OUTPUTS = (
-    "--vectors v.nhdr --distance d.mhd --thickness-map t.nrrd --thickness-csv t.csv --places c.csv --thin-below 2 "
+    "--vectors v.nhdr --distance d.mhd --thickness-map t.nrrd --places c.csv --thin-below 2 "
     "--preview p.png --html p.html --report r.json"
 ).split()
 

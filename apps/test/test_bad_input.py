@@ -334,14 +334,18 @@ class BadInputTest(ProgramTestCase):
         self.assert_refused("in.mrc", ["shorter", 1024])
 
     def test_raw_file_of_another_size(self):
+        """What is too much may be a header; the message has the option that says so."""
         path = volumes.write_raw(self.folder / "in.raw", self.volume)
         options = volumes.raw_options(self.volume)
         need = len(self.volume.data())
-        for content in (self.volume.data()[:-1], self.volume.data() + b"\0"):
-            path.write_bytes(content)
-            self.assert_refused("in.raw", [need, len(content)], CORRUPT, options)
+        path.write_bytes(self.volume.data()[:-1])
+        self.assert_refused("in.raw", [need, need - 1, "no more and no less\n"], CORRUPT, options)
+        path.write_bytes(self.volume.data() + b"\0\1")
+        self.assert_refused("in.raw", [need, need + 2, "a header of 2 bytes", "--raw-type uint8:2"], CORRUPT, options)
+        self.assert_refused("in.raw", [need, "--raw-type uint8:2:big"], CORRUPT, volumes.raw_options(self.volume, ":1:big"))
+        self.run_program("info", "in.raw", *volumes.raw_options(self.volume, ":2:big"))
         path.write_bytes(self.volume.data())
-        self.assert_refused("in.raw", [need], CORRUPT, [*options, "--raw-header", 1])
+        self.assert_refused("in.raw", [need, "no more and no less\n"], CORRUPT, volumes.raw_options(self.volume, ":1"))
 
 
 if __name__ == "__main__":

@@ -82,9 +82,11 @@ class DistanceTest(ProgramTestCase):
             self.assert_close(norms, wanted)
             self.assert_close(signed, self.signed(wanted))
 
-    def test_voxel_units(self):
-        norms, _ = self.compute("--voxel-units")
-        self.assert_close(norms, self.distances(spacing=(1, 1, 1)))
+    def test_maximum_distance_in_voxels(self):
+        least = min(self.volume.spacing)
+        units, voxels = (self.compute("--max-distance", limit) for limit in (2.5 * least, "2.5vx"))
+        self.assertEqual(*(list(map(str, norms)) for norms, _ in (units, voxels)))
+        self.assertIn(True, map(math.isnan, units[0]))
 
     def test_maximum_distance(self):
         norms, signed = self.compute("--max-distance", 1.0)

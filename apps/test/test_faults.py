@@ -203,8 +203,7 @@ class HostileHeaderTest(ProgramTestCase):
             self.assert_refused(volumes.write_meta(self.folder / "in.mha", self.volume, HeaderSize=size), "HeaderSize")
         raw = volumes.write_raw(self.folder / "in.raw", self.volume)
         for size in (-1, 2**64):
-            options = [*volumes.raw_options(self.volume), "--raw-header", size]
-            self.assert_fails(USAGE, ["--raw-header"], "info", raw, *options)
+            self.assert_fails(USAGE, ["--raw-type", size], "info", raw, *volumes.raw_options(self.volume, f":{size}"))
 
     def test_header_of_four_gigabytes(self):
         """Refused at once, whether it is text without an end or nothing."""

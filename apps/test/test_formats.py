@@ -51,14 +51,13 @@ class FormatsTest(ProgramTestCase):
             self.assertEqual(self.labels(path), self.expected, kind)
             for big_endian in (False, True):
                 path = volumes.write_raw(self.folder / "in.raw", volume, big_endian)
-                options = volumes.raw_options(volume) + ["--raw-big-endian"] * big_endian
+                options = volumes.raw_options(volume, ":big" * big_endian)
                 self.assertEqual(self.labels(path, *options), self.expected, (kind, big_endian))
 
     def test_bytes_before_the_voxels(self):
         header = b"header of seventeen"[:17]
         path = volumes.write_raw(self.folder / "in.raw", self.volume, header=header)
-        options = volumes.raw_options(self.volume)
-        self.assertEqual(self.labels(path, *options, "--raw-header", 17), self.expected)
+        self.assertEqual(self.labels(path, *volumes.raw_options(self.volume, ":17")), self.expected)
         data_file = self.folder / "in.img"
         data_file.write_bytes(b"one\ntwo\n" + header + self.volume.data())
         (self.folder / "in.nhdr").write_bytes(

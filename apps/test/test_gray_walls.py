@@ -236,11 +236,11 @@ class GrayWallsTest(ProgramTestCase):
         self.assertFalse((self.folder / "o.mha").exists())
 
     def test_a_mesh_has_the_walls_that_the_run_has_measured(self):
-        """In the units of the file, table and mesh share their walls; in voxels, the mesh measures its own."""
+        """Also of a thickness in voxels."""
         wall = volumes.blurred_wall(7)
         volumes.write_meta(self.folder / "in.mha", volumes.Volume(wall.size, wall.voxels, (0.5, 0.5, 0.5), wall.kind))
         self.run_program("mesh", "in.mha", "shared.ply", "--lower", 1000, "--thickness", 1.5)
-        self.run_program("mesh", "in.mha", "own.ply", "--lower", 1000, "--thickness", 3, "--voxel-units")
+        self.run_program("mesh", "in.mha", "own.ply", "--lower", 1000, "--thickness", "3vx")
         self.assertEqual((self.folder / "shared.ply").read_bytes(), (self.folder / "own.ply").read_bytes())
 
     def test_errors(self):

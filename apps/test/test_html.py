@@ -110,7 +110,6 @@ class HtmlTest(ProgramTestCase):
             f"in.mha: walls {walls['minimum']:.3g} to {walls['maximum']:.3g}, median {walls['percentiles']['50']:.3g}; "
             f"{thin['number']} place{'s' * (thin['number'] > 1)} below 6, {share:.2f} % of the area; no place above 50",
         )
-        self.assertIn(" voxels, median", self.headline("--lower", 72, "--voxel-units"))
 
     def test_the_first_line_tells_what_is_missing(self):
         self.assertEqual(self.headline("--lower", 30000), "in.mha: no object, as no voxel passes the threshold")

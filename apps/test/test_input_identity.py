@@ -64,7 +64,7 @@ class InputIdentityTest(ProgramTestCase):
     def test_headerless(self):
         for big_endian in (False, True):
             path = volumes.write_raw(self.folder / "in.raw", self.volume, big_endian, header=b"seventeen bytes..")
-            options = volumes.raw_options(self.volume) + ["--raw-header", 17] + ["--raw-big-endian"] * big_endian
+            options = volumes.raw_options(self.volume, ":17" + ":big" * big_endian)
             self.assert_same(path, *options)
 
     def test_nrrd_of_several_files(self):
@@ -127,7 +127,7 @@ class InputIdentityTest(ProgramTestCase):
             headers = []
             for version in (1, 2):
                 path = volumes.write_nifti(self.folder / "in.nii", self.volume, version=version, **changes)
-                self.extract(path, "place.mha", "--overwrite", "--lower", 50, "--voxel-units")
+                self.extract(path, "place.mha", "--overwrite", "--lower", 50, "--resample", "off")
                 headers.append(volumes.read_header(self.folder / "place.mha"))
             self.assertEqual(*headers)
 

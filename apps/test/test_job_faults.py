@@ -80,7 +80,7 @@ class JobFaultTest(JobTestCase):
 
     def test_input_of_many_files(self):
         """Chunks of a Zarr folder; the folder itself does not tell when one of them changes."""
-        self.in_target("distance", "../in.mha", "v.mha", "--distance", "../z.zarr", "--zarr-compression", "none")
+        self.in_target("distance", "../in.mha", "v.mha", "--distance", "../z.zarr", "--compress", "none")
         command = ["../z.zarr", "out.mha", "--upper", 0, "--thickness", 2]
         self.in_target("extract", *command)
         expected = (self.target / "out.mha").read_bytes()

@@ -128,7 +128,7 @@ class LabelMapTest(ProgramTestCase):
         labels = sorted({int(v) for v in volume.voxels} - {0})
         name = volumes.write_meta(self.folder / "map.mha", volume, compressed=dice.random() < 0.3).name
         thickness = dice.choice(["auto", "auto", 3, 6])
-        options = dice.choice([(), (), ("--max-pore-size", 0), ("--max-pore-size", 300), ("--voxel-units",)])
+        options = dice.choice([(), (), ("--max-pore-size", 0), ("--max-pore-size", 300)])
         run = dice.choice([(), ("--threads", 1), ("--divisions", 3), ("--memory", "64M")])
         found = self.run_labels(name, *options, *run, kind=volume.kind, thickness=thickness)
         single = {label: self.run_label(name, label, *options, thickness=thickness) for label in labels}

@@ -106,7 +106,7 @@ class LabelMeshTest(ProgramTestCase):
             with self.subTest(seed=seed):
                 dice = random.Random(seed)
                 volume = make_solid_map(dice)
-                options = dice.choice([(), (), ("--max-pore-size", 0), ("--max-pore-size", 300), ("--voxel-units",)])
+                options = dice.choice([(), (), ("--max-pore-size", 0), ("--max-pore-size", 300)])
                 run = dice.choice([(), ("--threads", 1), ("--divisions", 3), ("--memory", "64M")])
                 thickness, compressed = dice.choice(["auto", "auto", 2, 3, 6]), dice.random() < 0.3
                 found = self.check_map(volume, *options, run=run, thickness=thickness, compressed=compressed)

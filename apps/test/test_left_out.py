@@ -140,7 +140,7 @@ class LeftOutLibrariesTest(ProgramTestCase):
         self.assert_fails(
             USAGE,
             ["out.zarr", "built without libblosc"],
-            *("extract", "in.mha", "out.zarr", "--lower", 50, "--zarr-compression", "blosc-zstd"),
+            *("extract", "in.mha", "out.zarr", "--lower", 50, "--compress", "blosc-zstd"),
         )
 
 

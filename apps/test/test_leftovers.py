@@ -23,7 +23,7 @@ MODULE = pathlib.Path(os.environ["MEDIALVOXEL_MODULE"])
 # All kinds of outputs that are files, by the option; the one without an option appears last.
 PROGRAM_OUTPUTS = {
     "--vectors": "v.nrrd", "--distance": "d.mhd", "--thickness-map": "t.nhdr", "--mesh": "m.vtp",
-    "--thickness-csv": "t.csv", "--preview": "p.png", "--html": "h.html", "--report": "r.json", "": "out.mhd",
+    "--preview": "p.png", "--html": "h.html", "--report": "r.json", "": "out.mhd",
 }  # fmt: skip
 MODULE_OUTPUTS = {
     "--vectorVolume": "v.mha", "--distanceVolume": "d.nhdr", "--thicknessMap": "t.mhd", "--meshModel": "m.ply",

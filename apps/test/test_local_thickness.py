@@ -117,7 +117,7 @@ class LocalThicknessTest(ProgramTestCase):
 
     def test_statistics_are_of_the_map(self):
         for method in ("sphere", "wall"):
-            for options in ((), ("--largest-ball", CAP), ("--voxel-units",), ("--divisions", 3), ("--threads", 1)):
+            for options in ((), ("--largest-ball", CAP), ("--largest-ball", "9vx"), ("--divisions", 3), ("--threads", 1)):
                 known = [value for value in self.measure(*options, method=method) if value > 0]
                 found = self.report["local_thickness"]
                 self.assertAlmostEqual(found["mean"], statistics.fmean(known), delta=1e-4)
@@ -139,10 +139,11 @@ class LocalThicknessTest(ProgramTestCase):
         self.measure()
         self.assertEqual([self.report["local_thickness"][key] for key in ("mean", "standard_deviation", "largest")], [None] * 3)
 
-    def test_in_voxels_without_a_limit_that_matters(self):
-        found = self.measure("--max-pore-size", 0, "--voxel-units")
-        self.assert_equal_values(found, largest_balls(self.indices, self.volume.voxels, (1, 1, 1), 32))
-        self.assertEqual(self.report["local_thickness"]["largest_ball"], 32)
+    def test_without_a_limit_that_matters(self):
+        found = self.measure("--max-pore-size", 0)
+        largest = 32 * max(SPACING)
+        self.assert_equal_values(found, largest_balls(self.indices, self.volume.voxels, SPACING, largest))
+        self.assertAlmostEqual(self.report["local_thickness"]["largest_ball"], largest, delta=1e-5)
         self.assertEqual(self.report["local_thickness"]["voxels_at_maximum"], 0)
         self.assertNotIn("beyond_largest_ball", self.warnings)
 

@@ -158,7 +158,7 @@ class MeshTest(ProgramTestCase):
     def test_lengths_in_voxels(self):
         self.write(plate())
         self.mesh("in.mha", "physical.ply", thickness=2)
-        self.mesh("in.mha", "voxels.ply", "--voxel-units", thickness=4)
+        self.mesh("in.mha", "voxels.ply", thickness="4vx")
         self.assertEqual((self.folder / "voxels.ply").read_bytes(), (self.folder / "physical.ply").read_bytes())
 
     def test_triangles(self):

@@ -50,29 +50,31 @@ class MeshSectionsTest(ProgramTestCase):
         return list(map(float, abaqus))
 
     def test_default_is_a_quarter_of_the_spacing(self):
-        self.assertEqual(self.thicknesses(), self.thicknesses("--section-width", 0.125))
+        self.assertEqual(self.thicknesses(), self.thicknesses("--sections", 0.125))
         thicknesses = self.thicknesses()
         self.assertEqual(thicknesses, sorted(thicknesses))
         for whole in (1.0, 1.5, 2.0):
             self.assertLess(min(abs(thickness - whole) for thickness in thicknesses), 0.03, thicknesses)
 
     def test_width(self):
-        self.assertLess(len(self.thicknesses("--section-width", 0.5)), len(self.thicknesses()))
-        (one,) = self.thicknesses("--section-width", 100)
+        self.assertLess(len(self.thicknesses("--sections", 0.5)), len(self.thicknesses()))
+        (one,) = self.thicknesses("--sections", 100)
         self.assertTrue(1 < one < 2, one)
 
     def test_beside_the_labels(self):
-        one = self.mesh("m.inp", "--section-width", 0.5)
-        arguments = ("--mesh", "beside.inp", "--element-size", "voxel", "--section-width", 0.5)
+        one = self.mesh("m.inp", "--sections", 0.5)
+        arguments = ("--mesh", "beside.inp", "--element-size", "voxel", "--sections", 0.5)
         self.extract("in.mha", "labels.mha", *arguments, thickness=1)
         self.assertEqual((self.folder / "beside.inp").read_text(encoding="ascii"), one)
         self.assert_fails(
-            USAGE, ["width"], "extract", "in.mha", "x.mha", "--mesh", "x.inp", "--thickness", 1, "--section-width=0"
+            USAGE, ["--sections", "'0'", "or nodes"], "extract", "in.mha", "x.mha", "--mesh", "x.inp", "--thickness", 1, "--sections=0"
         )
 
     def test_thickness_at_nodes(self):
         """Steps of 1, 1.5 and 2 along x, away from the rims too."""
-        text = self.mesh("m.inp", "--thickness-at", "nodes")
+        text = self.mesh("m.inp", "--sections", "nodes")
+        self.extract("in.mha", "l.mha", "--mesh", "beside.inp", "--element-size", "voxel", "--sections", "nodes", thickness=1)
+        self.assertEqual((self.folder / "beside.inp").read_text(encoding="ascii"), text)
         nodes = re.findall(r"^\d+, (\S+), \S+, \S+$", text[: text.index("*ELEMENT")], re.MULTILINE)
         thicknesses = re.findall(r"^\d+, (\S+)$", text[text.index("*NODAL") :], re.MULTILINE)
         self.assertEqual(len(nodes), len(thicknesses))
@@ -85,8 +87,8 @@ class MeshSectionsTest(ProgramTestCase):
     def test_bends_the_same_with_both(self):
         volumes.write_meta(self.folder / "in.mha", plate())
         deflections = []
-        for place in ("sections", "nodes"):
-            options = ("--thickness-at", place, "--element-size", "auto", "--overwrite")
+        for sections in (0.125, "nodes"):
+            options = ("--sections", sections, "--element-size", "auto", "--overwrite")
             self.run_program("mesh", "in.mha", "m.inp", *options)
             model = ShellModel(self.folder / "m.inp")
             x = {number: point[0] for number, point in model.nodes.items()}
@@ -102,7 +104,7 @@ class MeshSectionsTest(ProgramTestCase):
     def test_widths_that_make_no_sense(self):
         for width in ("0", "-1", "nan", "inf", "x"):
             self.assert_fails(
-                USAGE, [width], "mesh", "in.mha", "m.inp", "--thickness", 1, f"--section-width={width}"
+                USAGE, [width], "mesh", "in.mha", "m.inp", "--thickness", 1, f"--sections={width}"
             )
 
 

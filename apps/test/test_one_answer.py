@@ -17,7 +17,6 @@ DATA = pathlib.Path(__file__).parents[3] / "shared/data"
 OUTPUTS = (
     [],
     ["--thickness-map", "t.mha"],
-    ["--thickness-csv", "t.csv"],
     ["--thin-below", 3, "--places", "p.csv"],
     ["--thick-above", 6],
     ["--preview", "p.png"],

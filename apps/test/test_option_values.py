@@ -19,15 +19,14 @@ ARGUMENTS = {
 }  # fmt: skip
 RAW = ["--raw-size=2,2,2", "--raw-type=uint8"]
 NEEDS = {
-    "--raw-size": RAW[1:], "--raw-type": RAW[:1], "--raw-spacing": RAW, "--raw-header": RAW, "--raw-big-endian": RAW,
-    "--log-level": ["--log-file=log.txt"], "--slurm-clusters": ["--slurm"], "--materials": ["--lower=2.5"],
-    "--sub-voxel": ["--lower=50"], "--fail-if-thin": ["--thin-below=2"], "--min-place-area": ["--thin-below=2"],
+    "--raw-size": RAW[1:], "--raw-type": RAW[:1], "--slurm-clusters": ["--slurm"], "--materials": ["--lower=2.5"],
+    "--sub-voxel": ["--lower=50"], "--fail-if-thin": ["--thin-below=2"],
 }  # fmt: skip
 # Of commands with a mesh or a thickness of their own these are no options.
 NEEDS_OF_EXTRACT = {
     "--largest-ball": ["--local-thickness=t.mha"], "--local-thickness-method": ["--local-thickness=t.mha"],
-    "--element-size": ["--mesh=m.inp"], "--section-width": ["--mesh=m.inp"], "--vector-boundary": ["--vectors=v.mha"],
-    "--zarr-compression": ["--thickness-map=t.zarr"], "--extend-rims": ["--mesh=m.inp"],
+    "--element-size": ["--mesh=m.inp"], "--sections": ["--mesh=m.inp"], "--vector-boundary": ["--vectors=v.mha"],
+    "--extend-rims": ["--mesh=m.inp"],
     "--min-component-size": ["--mesh=m.inp"], "--color-range": ["--html=p.html"],
 }  # fmt: skip
 FLAG_WORDS = ["true", "ON", "Yes", "1", "false", "off", "NO", "0"]
@@ -43,7 +42,7 @@ ODD = [
 TAKEN = {
     "--lower": {"inf", "-1", "9" * 40}, "--upper": {"inf", "-1", "9" * 40}, "--label": {"-1"}, "--max-distance": {"inf", "9" * 40},
     "--labels": {value for value in ODD if value.strip() and "," not in value and value != "9" * 40 and value[0] != "-"} | {"-1"},
-    "--clusters": {"0,5"}, "--materials": {"0,5"}, "--color-range": {"0,5"},
+    "--thin-below": {"1,,2"}, "--thick-above": {"1,,2"}, "--clusters": {"0,5"}, "--materials": {"0,5"}, "--color-range": {"0,5"},
 }  # fmt: skip
 
 
@@ -61,7 +60,6 @@ class OptionValueTest(ProgramTestCase):
 
     def command_with(self, command, option, value):
         needs = NEEDS.get(option, []) + (NEEDS_OF_EXTRACT.get(option, []) if command in ("extract", "plan") else [])
-        needs = ["--distance=d.zarr"] if (command, option) == ("distance", "--zarr-compression") else needs
         return [command, *ARGUMENTS[command], *needs, option if value is None else f"{option}={value}"]
 
     def assert_refused(self, option, value, command):
@@ -92,7 +90,7 @@ class OptionValueTest(ProgramTestCase):
     def test_values(self):
         seen = set()
         for command, option, unit, choices in self.options:
-            if not unit or command == "plan" and option in ("--mesh", "--element-size", "--section-width", "--min-component-size"):
+            if not unit or option == "--compress" or command == "plan" and option in ("--mesh", "--element-size", "--sections", "--min-component-size"):
                 continue
             with self.subTest(command=command, option=option):
                 odd = [""] if unit in ("FILE", "DIR", "UID") else ODD if option not in seen else ["", "1e999", "3abc"]
@@ -107,6 +105,15 @@ class OptionValueTest(ProgramTestCase):
                 self.assert_refused(option, "a", [*self.command_with(command, option, "a"), option, "a"])
             seen.add(option)
         self.assertGreater(len(seen), 40)
+
+    def test_kind_of_packing_may_be_left_out(self):
+        extract = ["extract", "no.mha", "out.zarr"]
+        for words in ([], ["on"], ["GZIP"], ["Blosc-zstd"], ["none"], ["off"]):
+            self.assert_taken(["extract", "--compress", *words, "no.mha", "out.zarr"])
+            self.assert_taken([*extract, "--compress=" + "".join(words)] if words else [*extract, "--compress"])
+        for value in ODD:
+            self.assert_refused("--compress", value, [*extract, f"--compress={value}"])
+        self.assertIn("--compress", self.run_program(*extract, "--compress", "--compress", "on", status=USAGE).stderr)
 
     def test_words_in_any_case(self):
         extract = ["extract", "no.mha", "out.mha", "--mesh", "m.inp"]
@@ -164,7 +171,7 @@ class OptionValueTest(ProgramTestCase):
 
     def test_names_of_outputs(self):
         volumes.write_meta(self.folder / "in.mha", volumes.box_with_plate())
-        for option in ("--distance", "--vectors", "--thickness-map", "--html", "--preview", "--thickness-csv"):
+        for option in ("--distance", "--vectors", "--thickness-map", "--html", "--preview", "--places"):
             self.assert_fails(USAGE, [f"{option} x.abc: "], "extract", "in.mha", "out.mha", option, "x.abc")
         parts = ["--largest-ball", "is 257;", "256 voxels"]
         self.assert_fails(USAGE, parts, "surface", "in.mha", "out.vtp", "--largest-ball", 257)
@@ -172,12 +179,9 @@ class OptionValueTest(ProgramTestCase):
     def test_spacing_that_was_typed(self):
         volumes.write_meta(self.folder / "in.mha", volumes.box_with_plate())
         volumes.write_raw(self.folder / "in.raw", volumes.box_with_plate())
-        raw = list(map(str, volumes.raw_options(volumes.box_with_plate())))
-        if "--raw-spacing" in raw:
-            del raw[raw.index("--raw-spacing") : raw.index("--raw-spacing") + 2]
+        raw = volumes.raw_options(volumes.box_with_plate())[:4]
         for command in (["info", "in.mha"], ["extract", "in.mha", "o.mha"], ["distance", "in.mha", "o.mha"]):
             self.assert_fails(USAGE, ["--spacing is 1,1,1001", "ratio", "1000"], *command, "--spacing", "1,1,1001")
-        self.assert_fails(USAGE, ["--raw-spacing is 1001,1,1", "ratio"], "info", "in.raw", *raw, "--raw-spacing", "1001,1,1")
         self.assert_fails(USAGE, ["--spacing is 1e-12,1,1"], "info", "in.raw", *raw, "--spacing", "1e-12,1,1")
 
 

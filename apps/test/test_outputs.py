@@ -29,7 +29,6 @@ class OutputsTest(ProgramTestCase):
             "--vectors": "v.mha",
             "--distance": "d.nrrd",
             "--thickness-map": "t.mha",
-            "--thickness-csv": "t.csv",
             "--report": "r.json",
             "--preview": "p.png",
         }

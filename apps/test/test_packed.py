@@ -126,7 +126,11 @@ class PackedTest(ProgramTestCase):
     def test_what_cannot_be(self):
         command = ["extract", "in.mha"]
         for name in ("out.mhd", "out.nhdr", "out.nii"):
-            self.assert_fails(USAGE, [name, "cannot be packed"], *command, name, "--compress")
+            self.assert_fails(USAGE, [name, "--compress on", "has none;"], *command, name, "--compress")
+        for name, kind, known in (
+            ("out.mha", "gzip", "on or none"), ("out.nrrd", "blosc-zstd", "on or gzip or none"), ("out.nii.gz", "none", "on or gzip"),
+        ):  # fmt: skip
+            self.assert_fails(USAGE, [f"{name}: --compress {kind} is not for", f"has {known}\n"], *command, name, "--compress", kind)
         for name in ("v.nii", "v.nii.gz"):
             parts = [name, "vectors are not written as .nii"]
             self.assert_fails(USAGE, parts, *command, "out.mha", "--vectors", name)

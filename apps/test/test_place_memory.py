@@ -48,7 +48,7 @@ class PlaceMemoryTest(ProgramTestCase):
 
     def test_more_places_than_are_listed(self):
         volumes.write_meta(self.folder / "in.mha", islands())
-        options = ["--thin-below", 4, "--thick-above", 0.5, "--min-place-area", 0, "--overwrite"]
+        options = ["--thin-below", "4,,0", "--thick-above", "0.5,,0", "--overwrite"]
         options += ["--places", "p.csv", "--threads", 1, "--report", "r.json"]
         tables = []
         for memory in ("1G", f"{int(self.needed('in.mha', 'l.mha', *options)) + 12}M"):
@@ -93,7 +93,7 @@ class PlaceMemoryOfJobsTest(jobs.JobTestCase):
 
     def test_what_is_planned_can_be_done(self):
         volumes.write_meta(self.folder / "in.mha", islands())
-        options = ["--thickness", 3, "--thin-below", 4, "--min-place-area", 0, "--places", "p.csv", "--threads", 1]
+        options = ["--thickness", 3, "--thin-below", "4,,0", "--places", "p.csv", "--threads", 1]
         plan = ["plan", "../in.mha", "out.mha", "job", *options]
         error = self.in_target(*plan, "--memory", "1M", status=REFUSED).stderr
         memory = f"{int(float(re.search(r'at least ([0-9.]+) MiB', error)[1])) + 12}M"

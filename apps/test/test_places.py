@@ -47,6 +47,11 @@ def random_part(seed, size=(44, 38, 36), spacing=(0.5, 0.75, 0.6)):
     return volume
 
 
+def keep_all(limits):
+    """Limits of places, with the area of the smallest one."""
+    return f"{limits},0" if "," in str(limits) else f"{limits},,0"
+
+
 def pitted_wall(size=(96, 96, 28), lower=8, upper=14, depth=2, radius=7):
     """A wall of six voxels with round pits from one side, and the places of these."""
     pits = [(x, y) for y in (20, 48, 76) for x in (20, 48, 76)]
@@ -126,11 +131,11 @@ class PlacesTest(ProgramTestCase):
 
     def test_places_are_those_of_the_map(self):
         found = 0
-        for seed, unit, thickness in ((1, [], 3), (2, ["--voxel-units"], 3), (3, [], "auto")):
+        for seed, thickness in ((1, 3), (2, "3vx"), (3, "auto")):
             part = random_part(seed)
             volumes.write_meta(self.folder / "in.mha", part)
             for limits in (("2.0,2.0", "2.6,2.6"), ("1.7,2.4", "3,2.5"), ("2.4", "2.5"), ("0.6", "9"), ("99", "0.01")):
-                arguments = ["--thin-below", limits[0], "--thick-above", limits[1], "--min-place-area", 0, *unit]
+                arguments = ["--thin-below", keep_all(limits[0]), "--thick-above", keep_all(limits[1])]
                 rows = self.places("--thickness-map", "t.mha", "--report", "r.json", *arguments, thickness=thickness)
                 values = volumes.read_floats(self.folder / "t.mha")
                 report = json.loads((self.folder / "r.json").read_text())
@@ -141,7 +146,7 @@ class PlacesTest(ProgramTestCase):
                     self.assert_same_places(own, expected, part)
                     if seed < 3:  # without pores that are taken for object
                         for row in own[:4]:
-                            self.assert_sides(row, part, (1, 1, 1) if unit else part.spacing)
+                            self.assert_sides(row, part, part.spacing)
                     told = report["places"][kind]
                     self.assertEqual((told["number"], told["smaller"]), (len(expected), 0))
                     self.assertEqual(told["cells"], sum(place["cells"] for place in expected))
@@ -155,22 +160,27 @@ class PlacesTest(ProgramTestCase):
 
     def test_small_places_are_left_out(self):
         volumes.write_meta(self.folder / "in.mha", random_part(4))
-        every = self.places("--thin-below", 2.2, "--min-place-area", 0)
+        every = self.places("--thin-below", "2.2,,0")
         areas = [row["area_beyond_limit"] for row in every]
         self.assertTrue(all(row["area_beyond_limit"] <= row["area"] for row in every))
         self.assertTrue(any(row["area_beyond_limit"] < row["area"] for row in every))
         self.assertGreater(len(set(areas)), 5)
         for smallest in (areas[2], areas[-1], areas[0] * 1.001):
-            rows = self.places("--thin-below", 2.2, "--min-place-area", smallest, "--report", "r.json")
+            rows = self.places("--thin-below", f"2.2,,{smallest!r}", "--report", "r.json")
             self.assertEqual(rows, [row for row in every if row["area_beyond_limit"] >= smallest])
             told = json.loads((self.folder / "r.json").read_text())["places"]
             self.assertEqual((told["thin"]["number"], told["thin"]["smaller"]), (len(rows), len(every) - len(rows)))
             self.assertIsNone(told["thick"])
+            both = self.places("--thin-below", "2.2,,0", "--thick-above", f"2.6,,{smallest!r}")
+            self.assertEqual([row for row in both if row["kind"] == "thin"], every)
+            self.assertTrue(all(row["area_beyond_limit"] >= smallest for row in both if row["kind"] == "thick"))
+        for area, least in (("10vx", 10 * 0.5**2), ("3MM", 3)):
+            self.assertEqual(self.places("--thin-below", "2.2,," + area), [row for row in every if row["area_beyond_limit"] >= least])
         faces = 10 * 0.75 * 0.6
         self.assertEqual(self.places("--thin-below", 2.2), [row for row in every if row["area_beyond_limit"] >= faces])
 
     def test_no_division_changes_a_byte(self):
-        arguments = ["--thin-below", 2.2, "--thick-above", 2.6, "--min-place-area", 0]
+        arguments = ["--thin-below", "2.2,,0", "--thick-above", "2.6,,0"]
         for seed in (5, 6):
             volumes.write_meta(self.folder / "in.mha", random_part(seed))
             self.places(*arguments)
@@ -185,11 +195,11 @@ class PlacesTest(ProgramTestCase):
 
     def test_pieces_of_rows(self):
         volumes.write_meta(self.folder / "in.mha", random_part(7, (40, 300, 40)))
-        arguments = ["--thin-below", 2.2, "--min-place-area", 0]
+        arguments = ["--thin-below", "2.2,,0"]
         self.places(*arguments)
         expected = (self.folder / "p.csv").read_bytes()
         self.extract("in.mha", "x.zarr", "--overwrite")
-        self.extract("x.zarr", "y.zarr", "--thin-below", 2.2, "--min-place-area", 0, "--places", "a.csv", thickness=1)
+        self.extract("x.zarr", "y.zarr", "--thin-below", "2.2,,0", "--places", "a.csv", thickness=1)
         whole = (self.folder / "a.csv").read_bytes()
         for run in (["--memory", "40M", "--threads", 1], ["--divisions", 3]):
             self.extract("x.zarr", "z.zarr", *arguments, "--places", "b.csv", "--overwrite", *run, thickness=1)
@@ -199,14 +209,14 @@ class PlacesTest(ProgramTestCase):
     def test_images_of_two_dimensions(self):
         part = random_part(8, (120, 90), (0.5, 0.75))
         volumes.write_meta(self.folder / "in.mha", part)
-        rows = self.places("--thin-below", 2, "--min-place-area", 0, "--thickness-map", "t.mha")
+        rows = self.places("--thin-below", "2,,0", "--thickness-map", "t.mha")
         values = volumes.read_floats(self.folder / "t.mha")
         expected = find_places(values, part.size, "thin", 2, 2.25)
         self.assertGreater(len(expected), 3)
         self.assert_same_places(rows, expected, part)
         self.assertNotIn("z", rows[0])
         before = (self.folder / "p.csv").read_bytes()
-        self.places("--thin-below", 2, "--min-place-area", 0, "--divisions", 9)
+        self.places("--thin-below", "2,,0", "--divisions", 9)
         self.assertEqual((self.folder / "p.csv").read_bytes(), before)
 
     def test_thin_places_may_fail(self):
@@ -222,8 +232,8 @@ class PlacesTest(ProgramTestCase):
 
     def test_area_beyond_the_limit_is_that_of_its_cells(self):
         volumes.write_meta(self.folder / "in.mha", random_part(13))
-        grown = self.places("--thin-below", "2.2,2.6", "--min-place-area", 0)
-        strict = self.places("--thin-below", "2.2,2.2", "--min-place-area", 0)
+        grown = self.places("--thin-below", "2.2,2.6,0")
+        strict = self.places("--thin-below", "2.2,2.2,0")
         self.assertAlmostEqual(
             sum(row["area_beyond_limit"] for row in grown), sum(row["area"] for row in strict), delta=1e-6
         )
@@ -238,7 +248,7 @@ class PlacesTest(ProgramTestCase):
                 ]
                 volumes.write_meta(self.folder / "in.mha", plate)
                 limit = f"{layers * spacing:.10g}"
-                rows = self.places("--thin-below", limit, "--thick-above", limit, "--min-place-area", 0)
+                rows = self.places("--thin-below", keep_all(limit), "--thick-above", keep_all(limit))
                 self.assertEqual(rows, [], (spacing, layers))
 
     def test_without_evidence_there_is_no_verdict(self):
@@ -289,11 +299,11 @@ class PlacesTest(ProgramTestCase):
     def test_noise_hides_no_place(self):
         part, pits = pitted_wall()
         volumes.write_meta(self.folder / "in.mha", part)
-        clean = self.places("--thin-below", 5, "--voxel-units", thickness="auto")
+        clean = self.places("--thin-below", "5vx", thickness="auto")
         self.assertEqual(len(clean), len(pits))
         for seed in range(3):
             volumes.write_meta(self.folder / "noisy.mha", flip_surface(part, seed))
-            options = ["--thin-below", 5, "--voxel-units", "--smooth", "auto", "--report", "r.json"]
+            options = ["--thin-below", "5vx", "--smooth", "auto", "--report", "r.json"]
             noisy = self.places(*options, source="noisy.mha", thickness="auto")
             self.assertTrue(json.loads((self.folder / "r.json").read_text())["smoothed"])
             for x, y in pits:
@@ -301,7 +311,7 @@ class PlacesTest(ProgramTestCase):
                 self.assertEqual(len(over), 1, (seed, x, y, noisy))
             self.assertEqual(len(noisy), len(pits), seed)
             # The noise matters.
-            rough = self.places("--thin-below", 5, "--voxel-units", "--smooth", "off", source="noisy.mha", thickness="auto")
+            rough = self.places("--thin-below", "5vx", "--smooth", "off", source="noisy.mha", thickness="auto")
             areas = [sum(row["area"] for row in rows) for rows in (rough, noisy)]
             self.assertGreater(areas[0], 1.2 * areas[1], seed)
 
@@ -349,12 +359,13 @@ class PlacesTest(ProgramTestCase):
             (["--thick-above", "-1"], "--thick-above", -1),
             (["--thin-below", "inf"], "--thin-below", "inf"),
             (["--thin-below", "'x' is not a finite number"], "--thin-below", "x"),
-            (["--thin-below", "not one length"], "--thin-below", "1,2,3"),
+            (["--thin-below", "not one or two lengths and an area"], "--thin-below", "1,2,3,4"),
             (["second length", "1.5", "less", "2"], "--thin-below", "2,1.5"),
             (["second length", "3", "greater", "2"], "--thick-above", "2,3"),
-            (["--min-place-area", "-1"], "--thin-below", 2, "--min-place-area", -1),
-            (["--min-place-area", "nan"], "--thin-below", 2, "--min-place-area", "nan"),
-            (["--min-place-area", "--thin-below"], "--min-place-area", 1),
+            (["--thin-below", "-1"], "--thin-below", "2,,-1"),
+            (["--thick-above", "nan"], "--thick-above", "2,1,nan"),
+            (["--thin-below", "''"], "--thin-below", "2,"),
+            (["--thin-below", "''"], "--thin-below", "2,3,"),
             (["--places", "--thin-below"], "--places", "p.csv"),
             (["--fail-if-thin", "--thin-below"], "--fail-if-thin", "--thick-above", 3),
             (["p.txt", ".csv"], "--thin-below", 2, "--places", "p.txt"),
@@ -364,7 +375,7 @@ class PlacesTest(ProgramTestCase):
 
     @unittest.skipUnless(ENGINE.exists(), "the engine volume is not here")
     def test_engine_has_thin_places(self):
-        arguments = ["--lower", 72, "--thin-below", "3.5,4.5", "--thickness-map", "t.mha", "--voxel-units"]
+        arguments = ["--lower", 72, "--thin-below", "3.5,4.5", "--thickness-map", "t.mha"]
         rows = self.places(*arguments, "--sub-voxel=off", source=ENGINE)
         header, _ = volumes.read_header(self.folder / "t.mha")
         size = [int(number) for number in header["DimSize"].split()]
@@ -383,7 +394,7 @@ class PlacesOfJobsTest(jobs.JobTestCase):
     def test_clusters_find_the_same_places(self):
         for number, seed in enumerate((10, 11)):
             volumes.write_meta(self.folder / "in.mha", random_part(seed), compressed=number == 1)
-            options = "--thickness 3 --thin-below 2.2 --thick-above 2.6 --min-place-area 0 --places p.csv".split()
+            options = "--thickness 3 --thin-below 2.2,,0 --thick-above 2.6,,0 --places p.csv".split()
             options += ["--report", "r.json", "--html", "h.html"]
             expected = self.expect("extract", "../in.mha", "out.mha", *options)
             self.assertGreater(expected["p.csv"].count(b"\n"), 15)

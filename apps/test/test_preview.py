@@ -50,9 +50,9 @@ def read_png(path):
 
 
 class PreviewTest(ProgramTestCase):
-    def preview(self, volume, *arguments):
+    def preview(self, volume, *arguments, thickness=3):
         volumes.write_meta(self.folder / "in.mha", volume)
-        self.extract("in.mha", "out.mha", "--preview", "p.png", "--overwrite", *arguments)
+        self.extract("in.mha", "out.mha", "--preview", "p.png", "--overwrite", *arguments, thickness=thickness)
         return read_png(self.folder / "p.png")
 
     def colors(self, rows):
@@ -73,7 +73,7 @@ class PreviewTest(ProgramTestCase):
         """A plate across z lies in one slice, and fills the projection along z wherever that slice is."""
         volume = volumes.Volume((60, 60, 40), [], (0.5, 0.5, 0.5))
         volume.voxels = [1 if 4 <= z < 7 and x >= 30 and 5 <= y < 55 else 0 for x, y, z in volume.indices()]
-        rows = self.preview(volume, "--voxel-units")
+        rows = self.preview(volume, thickness="3vx")
         scale = 8
         top = 14 + 20
         left, right = 14, 14 + 60 * scale + 14
@@ -92,7 +92,7 @@ class PreviewTest(ProgramTestCase):
         for spacing in (1e-7, 2e-5, 0.0003, 0.07, 1, 30, 12345, 1e6):
             volume = volumes.Volume((6, 5, 4), [1] * 120, (spacing,) * 3)
             for options in ([], ["--thickness-map", "t.mha"]):
-                rows = self.preview(volume, "--voxel-units", *options)
+                rows = self.preview(volume, *options, thickness="3vx")
                 legend = rows[len(rows) - 14 - 14 : len(rows) - 14]
                 self.assertTrue(all(color == BLACK for row in legend for color in row[-14:]), (spacing, options))
 

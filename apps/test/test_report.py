@@ -101,11 +101,11 @@ class ReportTest(ProgramTestCase):
         jsonschema.Draft202012Validator.check_schema(schema)
         validator = jsonschema.Draft202012Validator(schema)
         everything = ["--vectors", "v.mha", "--distance", "d.mha", "--preview", "p.png", "--html", "h.html"]
-        everything += ["--thickness-map", "t.mha", "--thickness-csv", "t.csv"]
+        everything += ["--thickness-map", "t.mha"]
         reports = [
             self.report("--lower", 72, *everything)[0],
             self.report("--lower", 101)[0],
-            self.report("--lower", 72, "--voxel-units", "--upper", 200.5)[0],
+            self.report("--lower", 72, "--upper", 200.5)[0],
             self.report("--lower", 72, "--thin-below", 99, "--thick-above", "0.2,0.1", "--places", "p.csv")[0],
         ]
         self.run_program("distance", "in.mha", "v2.mha", "--lower", 72, "--report", "d.json", "--max-distance", 5)
@@ -146,24 +146,24 @@ class ReportTest(ProgramTestCase):
         volume = volumes.Volume((40, 40, 20), [], (0.5, 0.5, 0.5))
         volume.voxels = [1 if 8 <= z < 12 else 0 for _, _, z in volume.indices()]
         volumes.write_meta(self.folder / "plate.mha", volume)
-        for arguments, unit in ((["--voxel-units"], 1.0), ([], 0.5)):
-            report, table = self.report(*arguments, source="plate.mha")
-            thickness = report["thickness"]
-            self.assertEqual(thickness["cells"], 39 * 39)
-            self.assertEqual(thickness["cells"], report["counts"]["medial_cells"])
-            self.assertEqual(thickness["one_cell_of"], 1)
-            self.assertEqual(thickness["resolution"], unit / 64)
-            for name in ("mean", "minimum", "maximum"):
-                self.assertEqual(thickness[name], 4 * unit)
-            self.assertEqual(thickness["standard_deviation"], 0)
-            self.assertEqual(set(thickness["percentiles"].values()), {4 * unit})
-            self.assertEqual(thickness["area"], (39 * unit) ** 2)
-            histogram = thickness["histogram"]
-            self.assertEqual(sum(histogram["areas"]) + histogram["above"], thickness["area"])
-            self.assertEqual(histogram["areas"].index(thickness["area"]) * histogram["bin_width"], 4 * unit)
-            self.assertRegex(table, r"walls +thinnest [42], 5 %: [42], median [42], 95 %: [42], thickest [42], in .*, by area\n")
-            self.assertAlmostEqual(report["share_without_sheet"], 1 - 39 * 39 / (40 * 40))
-            self.assertRegex(table, r"no wall +4.94 % of the object")
+        unit = 0.5
+        report, table = self.report(source="plate.mha")
+        thickness = report["thickness"]
+        self.assertEqual(thickness["cells"], 39 * 39)
+        self.assertEqual(thickness["cells"], report["counts"]["medial_cells"])
+        self.assertEqual(thickness["one_cell_of"], 1)
+        self.assertEqual(thickness["resolution"], unit / 64)
+        for name in ("mean", "minimum", "maximum"):
+            self.assertEqual(thickness[name], 4 * unit)
+        self.assertEqual(thickness["standard_deviation"], 0)
+        self.assertEqual(set(thickness["percentiles"].values()), {4 * unit})
+        self.assertEqual(thickness["area"], (39 * unit) ** 2)
+        histogram = thickness["histogram"]
+        self.assertEqual(sum(histogram["areas"]) + histogram["above"], thickness["area"])
+        self.assertEqual(histogram["areas"].index(thickness["area"]) * histogram["bin_width"], 4 * unit)
+        self.assertRegex(table, r"walls +thinnest 2, 5 %: 2, median 2, 95 %: 2, thickest 2, in .*, by area\n")
+        self.assertAlmostEqual(report["share_without_sheet"], 1 - 39 * 39 / (40 * 40))
+        self.assertRegex(table, r"no wall +4.94 % of the object")
 
     def test_table(self):
         """A few lines without words of the paper; --phases has them beside."""

@@ -118,11 +118,11 @@ class ArgumentTest(ModuleTestCase):
     def test_rest_is_positional(self):
         (self.folder / "in.mha").rename(self.folder / "--in.mha")
         for number, mark in enumerate(("--", "--ignore_rest")):
-            self.run_module("--voxelUnits", mark, "--in.mha", f"--out{number}.mha")
+            self.run_module("--resample", mark, "--in.mha", f"--out{number}.mha")
             self.assertTrue((self.folder / f"--out{number}.mha").exists())
 
     def test_boolean_before_a_volume(self):
-        self.run_module("--voxelUnits", *VOLUMES)
+        self.run_module("--resample", *VOLUMES)
 
     def test_help_version_and_xml_need_no_volumes(self):
         for flag in ("--help", "-h", "--version", "--xml"):
@@ -158,7 +158,7 @@ class ArgumentTest(ModuleTestCase):
             self.assert_module_fails(USAGE, [flag, "not expected"], flag, *VOLUMES)
         self.assert_module_fails(USAGE, ["thickness"], *VOLUMES, "--thickness")
         self.assert_module_fails(USAGE, ["thickness", "given twice"], "--thickness", "3", "--thickness=4", *VOLUMES)
-        self.assert_module_fails(USAGE, ["voxelUnits", "maybe"], "--voxelUnits=maybe", *VOLUMES)
+        self.assert_module_fails(USAGE, ["resample", "maybe"], "--resample=maybe", *VOLUMES)
         self.assert_module_fails(
             USAGE, ["processinformationaddress", "7"], "--processinformationaddress", "7", *VOLUMES
         )

@@ -19,8 +19,8 @@ CONTENT = XML_FILE.read_bytes()
 
 # What is replaced, by what, and what the lint says of it; the schema must refuse all of these.
 TRAPS = {
-    "dash in a flag": ("<longflag>voxelUnits<", "<longflag>voxel-units<", "other characters"),
-    "dash in a name": ("<name>voxelUnits<", "<name>voxel-units<", "other characters"),
+    "dash in a flag": ("<longflag>numberOfThreads<", "<longflag>number-of-threads<", "other characters"),
+    "dash in a name": ("<name>numberOfThreads<", "<name>number-of-threads<", "other characters"),
     "leading dashes": ("<longflag>memory<", "<longflag>--memory<", "other characters"),
     "long flag": ("<longflag>memory<", "<flag>mm</flag><longflag>memory<", "not one letter"),
     "flag and index": ("<index>0</index>", "<index>0</index><longflag>in</longflag>", "index and flag"),

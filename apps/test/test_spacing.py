@@ -227,22 +227,21 @@ class SpacingTest(ProgramTestCase):
             self.assertRegex(self.run_program("info", source, "--spacing", text).stdout, r"spacing +0.5 x 0.25 x 2\n")
         raw = volumes.write_raw(self.folder / "e.raw", self.volume)
         options = volumes.raw_options(self.volume)[:4]
-        for name in ("--spacing", "--raw-spacing"):
-            self.extract(raw, "out.mha", *run, *options, name, text, "--overwrite")
-            made, wanted = (volumes.read_data(self.folder / out) for out in ("out.mha", "expected.mha"))
-            self.assertEqual(made, wanted)
+        self.extract(raw, "out.mha", *run, *options, "--spacing", text, "--overwrite")
+        made, wanted = (volumes.read_data(self.folder / out) for out in ("out.mha", "expected.mha"))
+        self.assertEqual(made, wanted)
 
     def test_spacing_that_is_no_spacing(self):
         volumes.write_meta(self.folder / "in.mha", self.volume)
-        raw = volumes.write_raw(self.folder / "in.raw", self.volume)
+        volumes.write_raw(self.folder / "in.raw", self.volume)
         for text in ("0,1,1", "-1,1,1", "nan,1,1", "inf,1,1", "1e13,1,1", "1e-13,1,1"):
             for command in (["info", "in.mha"], ["extract", "in.mha", "out.mha"], ["distance", "in.mha", "out.mha"]):
                 self.assert_fails(USAGE, ["--spacing", "greater than 0", "from 1e-12 to 1e+12"], *command, "--spacing", text)
         for text in ("1,1", "1,1,1,1"):
             self.assert_refused("in.mha", ["spacing", text, "3 axes"], USAGE, ["--spacing", text])
         self.assert_fails(USAGE, ["--spacing", "'x'"], "info", "in.mha", "--spacing", "1,x,1")
-        both = [*volumes.raw_options(self.volume), "--spacing", "1,1,1"]
-        self.assert_fails(USAGE, ["--spacing and --raw-spacing"], "extract", raw, "out.mha", *both)
+        raw = ["in.raw", *volumes.raw_options(self.volume)[:4]]
+        self.assert_fails(USAGE, ["--spacing 1,1", "3 axes"], "info", *raw, "--spacing", "1,1")
 
     def test_warning_of_unequal_spacing(self):
         """Beyond a ratio of 4, on the error stream and in the report; not where the lengths do not count."""
@@ -251,7 +250,6 @@ class SpacingTest(ProgramTestCase):
             ("1,1,5", [], False),
             ("1,1,5", ["--resample", "off"], True),
             ("0.4,2.5,0.4", ["--resample", "off"], True),
-            ("1,1,5", ["--voxel-units"], False),
         ):
             volumes.write_meta(self.folder / "in.mha", self.volume)
             options = ["--spacing", spacing, "--lower", 72, "--report", "r.json", "--overwrite", *arguments]
@@ -262,7 +260,7 @@ class SpacingTest(ProgramTestCase):
             self.assertEqual(any("sheets have holes" in warning for warning in result.warnings), warns, result.warnings)
 
     def test_unequal_spacing_is_resampled(self):
-        """Beyond a ratio of 4 sheets and thickness need equal spacing; vectors do not, and neither do lengths in voxels."""
+        """Beyond a ratio of 4 sheets and thickness need equal spacing; vectors do not."""
         volumes.write_meta(self.folder / "in.mha", self.volume)
         size = self.volume.size
         for command, spacing, arguments, resamples in (
@@ -272,7 +270,6 @@ class SpacingTest(ProgramTestCase):
             ("mesh", "1,1,4.5", [], True),
             ("surface", "1,1,4.5", [], True),
             ("distance", "1,1,4.5", [], False),
-            ("extract", "1,1,4.5", ["--voxel-units"], False),
             ("extract", "1,1,4.5", ["--resample", "off"], False),
         ):
             with self.subTest(command=command, spacing=spacing, arguments=arguments):

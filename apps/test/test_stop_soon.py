@@ -79,11 +79,11 @@ class StopSoonTest(ProgramTestCase):
                 self.assertEqual(self.names(), self.before)
 
     def test_large_thickness(self):
-        self.assert_stops("extract", *NOISE, "out.mha", "--thickness", "40", "--voxel-units")
+        self.assert_stops("extract", *NOISE, "out.mha", "--thickness", "40vx")
 
     def test_thickness_in_small_voxels(self):
         """The same as 154 voxels."""
-        spacing = ("--raw-spacing", "0.0195,0.0195,0.0195")
+        spacing = ("--spacing", "0.0195,0.0195,0.0195")
         self.assert_stops("extract", *NOISE, "out.mha", "--thickness", "3", *spacing)
 
     def test_automatic_thickness(self):
@@ -106,7 +106,7 @@ class StopSoonTest(ProgramTestCase):
             file.seek(size**3 // 2)
             file.write(b"\1")
         self.before = self.names()
-        raw = ("--raw-size", f"{size},{size},{size}", "--raw-type", "uint8", "--raw-spacing", "1,1.1,1.3")
+        raw = ("--raw-size", f"{size},{size},{size}", "--raw-type", "uint8", "--spacing", "1,1.1,1.3")
         self.assert_stops("distance", "large.raw", "out.nhdr", *raw, "--upper", "0")
 
     def test_surface(self):

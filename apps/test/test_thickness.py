@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The thickness map and what is told about it: report, histogram, page and picture have the numbers of the map."""
 
-import csv
 import json
 import math
 import re
@@ -34,16 +33,15 @@ class ThicknessTest(ProgramTestCase):
         self.report = json.loads((self.folder / "r.json").read_text())
         return volumes.read_floats(self.folder / name)
 
-    def test_plates_are_exact_in_both_units(self):
+    def test_plates_are_exact(self):
         for thickness in range(1, 9):
             volumes.write_meta(self.folder / "plate.mha", plate(thickness))
-            for arguments, unit, area in (([], 1.5, 0.5 * 0.75), (["--voxel-units"], 1.0, 1.0)):
-                values = self.map(*arguments, source="plate.mha", thickness=2)
-                labels = volumes.read_data(self.folder / "l.mha")
-                medial = [value for value, label in zip(values, labels) if label >= 2]
-                self.assertEqual(set(medial), {thickness * unit})
-                self.assertEqual(sum(1 for value in values if value), len(medial))
-                self.assertAlmostEqual(self.report["thickness"]["area"], 39 * 35 * area, delta=1e-3)
+            values = self.map(source="plate.mha", thickness=2)
+            labels = volumes.read_data(self.folder / "l.mha")
+            medial = [value for value, label in zip(values, labels) if label >= 2]
+            self.assertEqual(set(medial), {thickness * 1.5})
+            self.assertEqual(sum(1 for value in values if value), len(medial))
+            self.assertAlmostEqual(self.report["thickness"]["area"], 39 * 35 * 0.5 * 0.75, delta=1e-3)
 
     def test_walls_beside_gaps_are_exact(self):
         """A voxel of background between two walls belongs to neither."""
@@ -65,18 +63,16 @@ class ThicknessTest(ProgramTestCase):
                 for x, y, z in volume.indices()
             ]
             volumes.write_meta(self.folder / "block.mha", volume)
-            values = self.map("--thickness-csv", "h.csv", source="block.mha", thickness=3)
+            values = self.map(source="block.mha", thickness=3)
             told = self.report["thickness"]
             self.assertEqual({value for value in values if value > 0}, {thickness})
             self.assertEqual(told["unpaired_cells"], sum(1 for value in values if value < 0))
             self.assertGreater(told["unpaired_cells"], 0)
             self.assertEqual((told["minimum"], told["maximum"], told["mean"]), (thickness,) * 3)
-            self.assertEqual(len((self.folder / "h.csv").read_text().splitlines()), 2)
 
     def test_table_tells_it_without_any_report(self):
         table = self.extract("in.mha", "l.mha", "--overwrite", "--phases").stdout
         self.assertRegex(table, r"walls +thinnest .*, in units of the spacing, by area\n(.*\n)+ +at rims, junctions +\d+ \(")
-        self.assertRegex(self.extract("in.mha", "l.mha", "--overwrite", "--voxel-units").stdout, "median .*, in voxels")
 
     def test_map_has_the_geometry_of_the_labels(self):
         self.map()
@@ -86,7 +82,7 @@ class ThicknessTest(ProgramTestCase):
         self.assertEqual(thicknesses, labels)
 
     def test_numbers_are_those_of_the_map(self):
-        values = self.map("--thickness-csv", "h.csv")
+        values = self.map()
         labels = volumes.read_data(self.folder / "l.mha")
         told = self.report["thickness"]
         width = told["resolution"]
@@ -102,27 +98,25 @@ class ThicknessTest(ProgramTestCase):
         walls = [value for value in values if value > 0]
         self.assertEqual((told["minimum"], told["maximum"]), (min(walls), max(walls)))
 
-        rows = list(csv.DictReader((self.folder / "h.csv").read_text().splitlines()))
-        self.assertEqual(list(rows[0]), ["thickness", "cells", "area"])
-        self.assertEqual([float(row["thickness"]) / width for row in rows], list(range(bins[0], bins[-1] + 1)))
-        self.assertEqual([int(row["cells"]) for row in rows], [bins.count(b) for b in range(bins[0], bins[-1] + 1)])
-        areas = [(float(row["area"]), float(row["thickness"])) for row in rows]
-        area = sum(row[0] for row in areas)
-        self.assertAlmostEqual(told["area"], area, delta=1e-9 * area)
-        self.assertAlmostEqual(told["mean"], sum(a * t for a, t in areas) / area)
+        histogram = told["histogram"]
+        wide = round(histogram["bin_width"] / width)
+        areas = [*histogram["areas"], histogram["above"]]
+        self.assertAlmostEqual(told["area"], sum(areas), delta=1e-9 * sum(areas))
+        filled = {min((number + wide // 2) // wide, len(areas) - 1) for number in bins}
+        self.assertEqual({number for number, area in enumerate(areas) if area > 0}, filled)
         for percent in PERCENTS:
             below = 0.0
-            for part, length in areas:
-                below += part
-                if below >= percent / 100 * area * (1 - 1e-12):
+            for number, area in enumerate(areas):
+                below += area
+                if below >= percent / 100 * sum(areas) * (1 - 1e-12):
                     break
-            self.assertEqual(told["percentiles"][str(percent)], length, percent)
+            self.assertEqual((round(told["percentiles"][str(percent)] / width) + wide // 2) // wide, number, percent)
 
     def test_any_division_gives_the_same_bytes(self):
-        files = ("l.mha", "t.mha", "h.csv", "p.png")
+        files = ("l.mha", "t.mha", "p.png")
 
         def run(*arguments):
-            self.map("--thickness-csv", "h.csv", "--preview", "p.png", *arguments)
+            self.map("--preview", "p.png", *arguments)
             return [(self.folder / name).read_bytes() for name in files] + [self.report["thickness"]]
 
         expected = run("--divisions", 1, "--threads", 1)
@@ -185,14 +179,14 @@ class ThicknessTest(ProgramTestCase):
         cells = 255 * 131
         found = []
         for arguments in (
-            [], ["--thickness-csv", "h.csv"], ["--thickness-map", "t.nrrd", "--thin-below", 2], ["--html", "r.html", "--thin-below", 4],
+            [], ["--thickness-map", "t.nrrd", "--thin-below", 2], ["--html", "r.html", "--thin-below", 4],
         ):  # fmt: skip
             options = [*arguments, "--report", "r.json", "--overwrite", *volumes.raw_options(volume)]
             table = self.extract("large.raw", "l.mha", *options).stdout
             self.assertRegex(table, r"measured +on the object: .*; a sample, one of 2\n")
             found.append(json.loads((self.folder / "r.json").read_text())["thickness"])
         told = found[0]
-        self.assertEqual(found, [told] * 4)
+        self.assertEqual(found, [told] * 3)
         self.assertEqual((told["one_cell_of"], told["standard_error"]), (2, 0))
         self.assertAlmostEqual(told["cells"], cells / 2, delta=0.02 * cells)
         self.assertEqual((told["mean"], told["minimum"], told["maximum"]), (3, None, None))
@@ -200,21 +194,21 @@ class ThicknessTest(ProgramTestCase):
         self.assertAlmostEqual(float(share), 100, delta=2, msg="places are of all cells")
 
     def test_nothing_to_measure(self):
-        values = self.map("--lower", 5, "--thickness-csv", "h.csv", "--preview", "p.png", "--html", "r.html")
+        values = self.map("--lower", 5, "--preview", "p.png", "--html", "r.html")
         self.assertEqual(set(values), {0})
-        self.assertEqual((self.folder / "h.csv").read_text(), "thickness,cells,area\n")
         self.assertEqual(self.report["thickness"]["area"], 0)
+        self.assertEqual(set(self.report["thickness"]["histogram"]["areas"]), {0})
 
     def write_blurred(self, **changes):
         volumes.write_meta(self.folder / "gray.mha", volumes.blurred_wall(), **changes)
 
     def test_gray_values_tell_more(self):
         self.write_blurred()
-        options = ["--lower", 1000, "--thickness-csv", "h.csv"]
+        options = ["--lower", 1000]
 
         def run(*arguments):
             values = self.map(*options, *arguments, source="gray.mha", thickness=3)
-            return values.tobytes(), (self.folder / "h.csv").read_bytes(), (self.folder / "l.mha").read_bytes()
+            return values.tobytes(), self.report["thickness"], (self.folder / "l.mha").read_bytes()
 
         binary = run("--sub-voxel=off")
         spread = self.report["thickness"]["standard_deviation"]
@@ -232,7 +226,7 @@ class ThicknessTest(ProgramTestCase):
         for arguments in (("--divisions", 7, "--threads", 3), ("--divisions", 34), ("--memory", "40M")):
             self.assertEqual(run(*arguments), gray, arguments)
             self.assertLessEqual(self.report["peak_memory_bytes"], self.report["planned_peak_bytes"], arguments)
-        self.extract("gray.mha", "l.mha", *options[:2], "--html", "r.html", "--overwrite")
+        self.extract("gray.mha", "l.mha", *options, "--html", "r.html", "--overwrite")
         self.assertIn("measured where gray values cross the threshold", (self.folder / "r.html").read_text())
 
     def test_gray_values_are_planned_for(self):
@@ -266,7 +260,7 @@ class ThicknessTest(ProgramTestCase):
         self.assertEqual(self.report["thickness"]["area"], 39 * 0.5)
 
     def test_memory_and_disk_are_planned(self):
-        for arguments in ([], ["--preview", "p.png", "--html", "h.html", "--thickness-csv", "h.csv"]):
+        for arguments in ([], ["--preview", "p.png", "--html", "h.html"]):
             self.map("--memory", "64M", *arguments)
             self.assertLessEqual(self.report["peak_memory_bytes"], self.report["planned_peak_bytes"], arguments)
         plan = self.extract("in.mha", "x.mha", "--thickness-map", "y.mha", "--dry-run").stdout
@@ -277,7 +271,6 @@ class ThicknessTest(ProgramTestCase):
     def test_bad_names(self):
         arguments = ("extract", "in.mha", "x.mha", "--thickness", 3)
         self.assert_fails(USAGE, ["t.xyz", "unknown format"], *arguments, "--thickness-map", "t.xyz")
-        self.assert_fails(USAGE, ["h.txt", ".csv"], *arguments, "--thickness-csv", "h.txt")
         self.assert_fails(USAGE, ["in.mha", "input"], *arguments, "--thickness-map", "in.mha", "--overwrite")
         self.assert_fails(USAGE, ["x.mha", "thickness_map"], *arguments, "--thickness-map", "x.mha")
         self.assert_fails(REFUSED, ["none"], *arguments, "--thickness-map", "none/t.mha")

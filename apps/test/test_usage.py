@@ -15,8 +15,18 @@ FORMER_NAMES = {
     "--minimum-thickness": "--min-thickness",
     "--maximum-thickness": "--max-thickness",
     "--maximum-distance": "--max-distance",
-    "--smallest-place": "--min-place-area",
+    "--smallest-place": "--thin-below T,,A",
+    "--min-place-area": "--thin-below T,,A",
     "--smallest-component": "--min-component-size",
+    "--raw-spacing": "--spacing",
+    "--zarr-compression": "--compress",
+    "--voxel-units": "lengths with the unit vx, such as --thickness 3vx",
+    "--thickness-csv": "thickness.histogram of --report",
+    "--log-level": "the first word of each line of --log-file",
+    "--section-width": "--sections",
+    "--thickness-at": "--sections nodes",
+    "--raw-header": "--raw-type TYPE:BYTES",
+    "--raw-big-endian": "--raw-type TYPE:big",
 }
 
 
@@ -171,14 +181,12 @@ class UsageTest(ProgramTestCase):
             (extract, None, ["--min-thickness", 2, "--thickness", 3]),
             (extract, None, ["--max-thickness", 2, "--thickness", 3]),
             (extract, ["--vectors", "v.mha"], ["--vector-boundary", "object"]),
-            (extract, ["--distance", "d.zarr"], ["--zarr-compression", "none"]),
-            (extract, ["--mesh", "m.inp"], ["--section-width", 1]),
-            (mesh + ["m.vtp"], None, ["--section-width", 1]),
-            (mesh + ["m.BDF"], [], ["--section-width", 1]),
-            (mesh + ["m.k", "--thickness-at", "nodes"], None, ["--section-width", 1]),
-            (mesh + ["m.ply"], None, ["--thickness-at", "nodes"]),
-            (mesh + ["m.k"], [], ["--thickness-at", "nodes"]),
-            (distance, ["--distance", "d.OME.ZARR"], ["--zarr-compression", "gzip"]),
+            (extract[:2] + ["--html", "p.html"], ["out.zarr"], ["--compress", "none"]),
+            (extract, ["--mesh", "m.inp"], ["--sections", 1]),
+            (mesh + ["m.vtp"], None, ["--sections", 1]),
+            (mesh + ["m.BDF"], [], ["--sections", 1]),
+            (mesh + ["m.ply"], None, ["--sections", "nodes"]),
+            (mesh + ["m.k"], [], ["--sections", "NODES"]),
         ):
             if need != []:
                 self.assert_usage([option[0], "no effect", "needs"], *command, *option)
@@ -198,22 +206,14 @@ class UsageTest(ProgramTestCase):
         self.assert_usage(["unknown format", "--raw-size"], *command)
         self.assert_usage(["--raw-type"], *command, "--raw-size", "24,20,16")
         self.assert_usage(["--raw-size"], *command, "--raw-type", "uint8")
-        for option in (["--raw-spacing", "1,1,1"], ["--raw-header", 4], ["--raw-big-endian"]):
-            self.assert_usage(["--raw-size"], *command, *option)
         for size in ("24,20,x", "24x20xx16", "24 x 20 x 16", "24,20,-16", "24,20,0", "24,,16", "1e3,2,2", ""):
             self.assert_usage(["--raw-size"], *command, "--raw-type", "uint8", "--raw-size", size)
         for size in ("24", "24,20,16,1"):
             self.assert_usage(["--raw-size", "2 or 3"], *command, "--raw-type", "uint8", "--raw-size", size)
         self.assert_usage(["--raw-size"], *command, "--raw-type", "uint8", "--raw-size", "2000000000,2000000000,2000000000")
         self.assert_usage(["--raw-type", "'uint7'", "did you mean uint8?"], *command, "--raw-size", "24,20,16", "--raw-type", "uint7")
-        described = [*command, "--raw-size", "24,20,16", "--raw-type", "uint8"]
-        for spacing in ("-1,1,1", "0,1,1", "nan,1,1", "inf,1,1"):
-            self.assert_usage(
-                ["--raw-spacing", spacing.split(",")[0], "greater than 0"], *described, "--raw-spacing", spacing
-            )
-        self.assert_usage(["--raw-spacing", "2", "3"], *described, "--raw-spacing", "1,1")
-        self.assert_usage(["--raw-spacing"], *described, "--raw-spacing", "1,1,a")
-        self.assert_usage(["--raw-header", "'-1'"], *described, "--raw-header", -1)
+        for kind in (":", ":big", "uint8:", "uint8:-1", "uint8:2.5", "uint8:5:6", "uint8:big:5", "uint8:5:big:", "uint8:5:", "uint8::big", "uint8:5:little"):
+            self.assert_usage(["--raw-type", "'"], *command, "--raw-size", "24,20,16", "--raw-type", kind)
 
 
 if __name__ == "__main__":

@@ -41,7 +41,7 @@ class ZarrOutputTest(ProgramTestCase):
         source = volumes.write_meta(self.folder / "in.mha", make_part(), Offset="1.5 2.5 -3.5")
         self.write_all(source, ".mha")
         for compression in ("none", "gzip"):
-            self.write_all(source, ".ome.zarr", "--overwrite", "--zarr-compression", compression)
+            self.write_all(source, ".ome.zarr", "--overwrite", "--compress", compression)
             for name in "lvdt":
                 data = zarr_folder.read_data(self.folder / f"{name}.ome.zarr")
                 self.assertEqual(data, volumes.read_data(self.folder / f"{name}.mha"), f"{name} {compression}")
@@ -124,7 +124,7 @@ class ZarrOutputTest(ProgramTestCase):
 
     def test_any_division_gives_the_same_files(self):
         source = volumes.write_meta(self.folder / "in.mha", make_part())
-        for more in (["--sparse"], ["--zarr-compression", "none"], []):
+        for more in (["--sparse"], ["--compress", "none"], []):
             self.write_all(source, ".zarr", "--overwrite", *more)
             expected = {name: self.folder_contents(f"{name}.zarr") for name in "lvdt"}
             for run in (["--divisions", 7, "--threads", 1], ["--divisions", 40, "--threads", 3]):
@@ -145,7 +145,7 @@ class ZarrOutputTest(ProgramTestCase):
     def test_two_dimensions(self):
         volume = volumes.Volume((60, 40), [1 if 10 <= x < 14 else 0 for y in range(40) for x in range(60)])
         source = volumes.write_meta(self.folder / "in.mha", volume)
-        self.run_program("distance", source, "v.zarr", "--distance", "d.zarr", "--zarr-compression", "none")
+        self.run_program("distance", source, "v.zarr", "--distance", "d.zarr", "--compress", "none")
         self.run_program("distance", source, "v.mha", "--distance", "d.mha")
         _, description = zarr_folder.read_metadata(self.folder / "v.zarr")
         self.assertEqual(description["shape"], [2, 40, 60])
@@ -214,11 +214,11 @@ class ZarrFolderTest(ProgramTestCase):
         volumes.write_meta(self.folder / "big.mha", make_part((300, 70, 80)))
         (disk / "old.zarr").mkdir()
         (disk / "old.zarr/.zgroup").write_text("{}")
-        for more in ([], ["--sparse"], ["--zarr-compression", "gzip"]):
+        for more in ([], ["--sparse"], ["--compress"]):
             for name in ("disk/new.zarr", "disk/old.zarr"):
                 self.assert_fails(
                     1 if more else REFUSED, ["disk"], "extract", "big.mha", "l.mha", "--thickness", 3,
-                    "--distance", name, "--overwrite", *(more or ["--zarr-compression", "none"]),
+                    "--distance", name, "--overwrite", *(more or ["--compress", "none"]),
                 )  # fmt: skip
                 self.assertEqual([path.name for path in disk.iterdir()], ["old.zarr"])
 
@@ -256,7 +256,7 @@ class ZarrReadersTest(ProgramTestCase):
         source = volumes.write_meta(self.folder / "in.mha", make_part(), Offset="1.5 2.5 -3.5")
         for compression in ("none", "gzip", "blosc-zstd"):
             names = (f"l-{compression}.zarr", "--vectors", f"v-{compression}.zarr")
-            self.extract(source, *names, "--sparse", "--zarr-compression", compression)
+            self.extract(source, *names, "--sparse", "--compress", compression)
         self.extract(source, "l.mha", "--vectors", "v.mha")
 
     def check(self, module):

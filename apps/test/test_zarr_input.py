@@ -46,12 +46,12 @@ class ZarrInputTest(ProgramTestCase):
         for compression in ("none", "gzip"):
             self.run_program(
                 "distance", "in.mha", "v.zarr", "--distance", "d.zarr", "--lower", 50,
-                "--zarr-compression", compression, "--overwrite",
+                "--compress", compression, "--overwrite",
             )  # fmt: skip
             self.extract("d.mha", "a.mha", "--upper", -0.1, "--overwrite")
             self.extract("d.zarr/", "b.mha", "--upper", -0.1, "--overwrite")
             self.assertEqual((self.folder / "a.mha").read_bytes(), (self.folder / "b.mha").read_bytes())
-            self.extract("d.zarr/0", "b.mha", "--upper", -0.1, "--overwrite", "--voxel-units")
+            self.extract("d.zarr/0", "b.mha", "--upper", -0.1, "--overwrite")
 
     def test_any_division_reads_the_same(self):
         rng = random.Random(3)

@@ -22,7 +22,7 @@ from test_zarr import READ_ZARR, make_part
 # Layers of 28 slices: four of them.
 SIZE = (60, 50, 110)
 OPTIONS = "--thickness 2 --distance d.ome.zarr --thickness-map t.nrrd --preview p.png --report r.json".split()
-UNPACKED = ["--zarr-compression", "none"]
+UNPACKED = ["--compress", "none"]
 
 
 def make_wall(size):

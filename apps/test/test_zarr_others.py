@@ -57,7 +57,7 @@ class ZarrOfOthersTest(ProgramTestCase):
         return 50 if any(half in name for half in HALVES) else 100
 
     def labels(self, name, *arguments):
-        self.extract(name, "out.mha", "--overwrite", "--lower", self.threshold(str(name)), "--voxel-units",
+        self.extract(name, "out.mha", "--overwrite", "--lower", self.threshold(str(name)), "--spacing", "1,1,1",
                      *arguments)  # fmt: skip
         return volumes.read_data(self.folder / "out.mha")
 
@@ -111,7 +111,7 @@ class ZarrOfOthersTest(ProgramTestCase):
 
     def test_jobs(self):
         for name in ("shards-1.zarr", "v2-default.zarr"):
-            run = ("--lower", self.threshold(name), "--voxel-units", "--resume", "--overwrite")
+            run = ("--lower", self.threshold(name), "--spacing", "1,1,1", "--resume", "--overwrite")
             self.extract(name, "out.mha", *run)
             self.assertEqual(volumes.read_data(self.folder / "out.mha"), self.expected)
 

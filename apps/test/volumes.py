@@ -147,13 +147,13 @@ def write_raw(path, volume, big_endian=False, header=b""):
     return path
 
 
-def raw_options(volume):
+def raw_options(volume, more=""):
     return [
         "--raw-size",
         ",".join(map(str, volume.size)),
         "--raw-type",
-        volume.kind,
-        "--raw-spacing",
+        volume.kind + more,
+        "--spacing",
         ",".join(map(str, volume.spacing)),
     ]
 

@@ -41,7 +41,7 @@ def find_places(build, volume, lower, limit):
     program = build / "apps" / "medialvoxel" / "medialvoxel"
     with tempfile.TemporaryDirectory() as folder:
         table, thickness = (pathlib.Path(folder) / name for name in ("places.csv", "map.mha"))
-        command = [program, "extract", volume, pathlib.Path(folder) / "labels.mha", "--lower", lower, "--voxel-units"]
+        command = [program, "extract", volume, pathlib.Path(folder) / "labels.mha", "--lower", lower]
         command += ["--thin-below", limit, "--places", table, "--thickness-map", thickness, "--quiet"]
         subprocess.run([str(word) for word in command], check=True)
         return read_places(table)[: len(COLORS)], make_picture.read_meta_image(thickness)

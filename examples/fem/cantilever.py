@@ -151,7 +151,7 @@ def main():
             mesh = folder / "plate.inp"
             plate.write(folder / "plate.mha", arguments.blur)
             command = [arguments.program, "mesh", folder / "plate.mha", mesh, "--lower", str(THRESHOLD)]
-            command += ["--thickness", arguments.tau, "--voxel-units", "--overwrite", "--quiet"]
+            command += ["--thickness", arguments.tau if arguments.tau == "auto" else arguments.tau + "vx", "--overwrite", "--quiet"]
             command += ["--element-size", "voxel"]
             command += ["--sub-voxel"] if arguments.sub_voxel else []
             subprocess.run(command, check=True)

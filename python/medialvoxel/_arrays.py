@@ -19,6 +19,7 @@ from ._threads import count_processors
 from ._warnings import warn
 
 Number = Union[int, float, np.integer[Any], np.floating[Any]]
+Length = Union[Number, str]
 Smooth = Union[Literal["auto", "on", "off"], bool, None]
 
 
@@ -84,17 +85,16 @@ class _Call:
 def extract(
     array: ArrayLike,
     *,
-    thickness: Number | Literal["auto"] = "auto",
+    thickness: Length = "auto",
     spacing: ArrayLike | None = None,
     lower: Number | Literal["otsu"] | None = None,
     upper: Number | None = None,
     label: int | None = None,
     labels: Literal["all"] | Iterable[int] | None = None,
     smooth: Smooth = None,
-    min_thickness: Number | None = None,
-    max_thickness: Number | None = None,
+    min_thickness: Length | None = None,
+    max_thickness: Length | None = None,
     max_pore_size: int | None = None,
-    voxel_units: bool = False,
     thickness_map: bool = True,
     uncertainty: bool = False,
     vectors: bool = False,
@@ -145,8 +145,7 @@ def extract(
         "threads": count_processors() if threads is None else threads,
         "memory": memory,
     }
-    flags = make_flags({"voxel_units": voxel_units})
-    numbers, _ = call.run(["extract", "array", "labels.mha", *make_options(options), *flags], outputs, progress)
+    numbers, _ = call.run(["extract", "array", "labels.mha", *make_options(options)], outputs, progress)
     outputs["vectors"] = call.take_vectors(outputs["vectors"])
     return Medial(
         **_part_rims(outputs),
@@ -166,20 +165,19 @@ def extract(
 def mesh(
     array: ArrayLike,
     *,
-    thickness: Number | Literal["auto"] = "auto",
+    thickness: Length = "auto",
     spacing: ArrayLike | None = None,
     lower: Number | Literal["otsu"] | None = None,
     upper: Number | None = None,
     label: int | None = None,
     smooth: Smooth = None,
-    min_thickness: Number | None = None,
-    max_thickness: Number | None = None,
+    min_thickness: Length | None = None,
+    max_thickness: Length | None = None,
     max_pore_size: int | None = None,
-    voxel_units: bool = False,
     triangles: bool = False,
     min_component_size: int | None = None,
-    min_branch_length: Number | None = None,
-    element_size: Number | Literal["auto", "voxel"] | None = None,
+    min_branch_length: Length | None = None,
+    element_size: Length | None = None,
     extend_rims: bool = False,
     sub_voxel: bool | None = None,
     threads: int | None = None,
@@ -216,7 +214,7 @@ def mesh(
         "threads": count_processors() if threads is None else threads,
         "memory": memory,
     }
-    flags = make_flags({"voxel_units": voxel_units, "triangles": triangles, "extend_rims": extend_rims})
+    flags = make_flags({"triangles": triangles, "extend_rims": extend_rims})
     numbers, surface = call.run(["mesh", "array", "mesh.vtp", *make_options(options), *flags], {}, progress)
     points, faces, thickness_of_points = surface
     return Mesh(points, faces, thickness_of_points, numbers["lower"])
@@ -233,8 +231,7 @@ def distance(
     boundary: Literal["object", "background"] = "object",
     region: Literal["both", "inside", "outside"] = "both",
     vectors: bool = False,
-    max_distance: Number | None = None,
-    voxel_units: bool = False,
+    max_distance: Length | None = None,
     threads: int | None = None,
     memory: int | str | None = None,
     progress: Progress = None,
@@ -265,8 +262,7 @@ def distance(
         "threads": count_processors() if threads is None else threads,
         "memory": memory,
     }
-    words = ["distance", "array", "vectors.mha", *make_options(options), *make_flags({"voxel_units": voxel_units})]
-    numbers, _ = call.run(words, outputs, progress)
+    numbers, _ = call.run(["distance", "array", "vectors.mha", *make_options(options)], outputs, progress)
     outputs["vectors"] = call.take_vectors(outputs["vectors"])
     return Distances(**outputs, counts=numbers["counts"], lower=numbers["lower"])
 
@@ -280,9 +276,8 @@ def local_thickness(
     upper: Number | None = None,
     method: Literal["wall", "sphere"] = "wall",
     sub_voxel: bool | None = None,
-    largest_ball: Number | None = None,
+    largest_ball: Length | None = None,
     label: int | None = None,
-    voxel_units: bool = False,
     threads: int | None = None,
     memory: int | str | None = None,
     progress: Progress = None,
@@ -306,8 +301,6 @@ def local_thickness(
     ([0.0, 2.0], 0)
     """
     call = _Call(array, spacing)
-    if read_flag("voxel_units", voxel_units):
-        call.spacing = (1.0,) * len(call.shape)
     outputs: dict[str, Any] = {"thickness": call.make(np.float32)}
     options = {
         "local_thickness_method": method,

@@ -15,7 +15,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import Number, check_spacing, prepare
+from ._arrays import Length, Number, check_spacing, prepare
 from ._options import make_options
 from ._parameters import describe
 from ._program import run_on_files
@@ -58,9 +58,8 @@ def _run(command: str, files: tuple[pathlib.Path, ...], options: dict[str, Any],
 def thin_places(
     array: ArrayLike,
     *,
-    thin_below: Number | tuple[Number, Number],
-    min_place_area: Number | None = None,
-    thickness: Number | Literal["auto"] = "auto",
+    thin_below: Length | tuple[Length, Length] | tuple[Length, Length | None, Length],
+    thickness: Length = "auto",
     spacing: ArrayLike | None = None,
     lower: Number | Literal["otsu"] | None = None,
     upper: Number | None = None,
@@ -78,7 +77,7 @@ def thin_places(
     """
     with _as_file(array, spacing) as (path, dimension):
         table = path.with_name("places.csv")
-        given = {"thin_below": thin_below, "min_place_area": min_place_area, "thickness": thickness}
+        given = {"thin_below": thin_below, "thickness": thickness}
         given |= {"lower": lower, "upper": upper, "label": label, "places": table, **options}
         thin = _run("extract", (path,), given, progress)["places"]["thin"]
         with table.open(newline="", encoding="utf-8") as file:

@@ -12,6 +12,8 @@ def format_value(value: Any) -> str:
     """The text that the program reads as exactly this value."""
     if isinstance(value, str):
         return value
+    if value is None:  # among others: the default
+        return ""
     if isinstance(value, (bool, np.bool_)):
         return "on" if value else "off"
     if isinstance(value, (int, np.integer)):

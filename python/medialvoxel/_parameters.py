@@ -13,9 +13,9 @@ F = TypeVar("F", bound=Callable[..., Any])
 _TEXTS = {
     "array": "2 or 3 axes of bool, integers of 8 to 64 bits or real numbers of 16, 32 or 64 bits; any order, strides and byte order. "
     "A contiguous array of native numbers is not copied.",
-    "thin_below": "The limit, or (limit, second limit): each place has a cell thinner than the first one, and all its cells are "
-    "thinner than the second one, by default an eighth more.",
-    "min_place_area": "Area beyond the limit of the smallest place that counts, in squared units; default that of ten faces of voxels.",
+    "thin_below": "The limit, (limit, second limit), or (limit, second limit, area): each place has a cell thinner than the first one, "
+    "and all its cells are thinner than the second one, by default (None) an eighth more. Its cells thinner than the first one have at "
+    "least the area, in squared units; default that of ten faces of voxels.",
     "thin_places.options": "Others of the program, as of extract_file(): ``threads=2``, ``memory=\"1G\"``, ``materials=(40, 180)``.",
     "surface_thickness.options": "Others of the program, as of surface_file(): ``largest_ball=20``, ``sub_voxel=False``, ``open=True``.",
     "spacing": "(z, y, x), from 1e-12 to 1e12, or one number for all axes; default 1.",
@@ -25,12 +25,12 @@ _TEXTS = {
     "upper": "Largest value of the object.",
     "label": "The one value of the object.",
     "labels": 'Each of these values, or "all", is an object of its own.',
-    "thickness": 'Of the walls that become sheets, > 0; "auto": each wall by its own thickness.',
+    "thickness": 'Of the walls that become sheets, > 0; "auto": each wall by its own thickness. Each length is a number in units of the '
+    'spacing, or a text with a unit: "3vx" is three voxels of the smallest spacing, "2mm" two units of the spacing.',
     "smooth": 'Noise of the object is smoothed: True, False, or "auto", the default with automatic thickness, where it is rough.',
     "min_thickness": 'Lower limit of thickness="auto"; default 3 voxels of the smallest spacing.',
     "max_thickness": 'Upper limit of thickness="auto"; default 16 voxels of the smallest spacing, up to 32 where many walls are thicker.',
     "max_pore_size": "Largest pore or grain that is left out, from 0 to 1000000 voxels; default 32 with automatic thickness, otherwise 0.",
-    "voxel_units": "Lengths are in voxels instead of units of the spacing.",
     "thickness_map": "Make `thickness` and `rims` too, of 5 bytes for each voxel.",
     "uncertainty": "Make this output too, of 4 bytes for each voxel; it needs `lower` or `upper`, and walls that can be fitted.",
     "vectors": "Make this output too, of 12 bytes for each voxel.",
@@ -50,20 +50,20 @@ _TEXTS = {
     "extend_rims": "Carry the sheet on in its plane to the free edges of the part. Needs an element size.",
     "boundary": "Voxels that distances are measured to: those of the object, or of the background.",
     "region": "Voxels that get a value; 0 elsewhere.",
-    "max_distance": "Voxels further away are NaN; > 0.",
+    "max_distance": 'Voxels further away are NaN; > 0, or a text such as "3vx", in voxels of the smallest spacing.',
     "method": '"wall": the thickness of walls; edges and corners that no wall covers are NaN. "sphere": the diameter of the largest ball '
     "inside the object that covers a voxel, as Hildebrand and Rüegsegger (1997) define it, for comparison with other programs.",
     "local_thickness.sub_voxel": 'As in extract(). Not with "sphere".',
-    "largest_ball": "Diameter at which balls are cut, and the largest thickness, > 0, at most 256 voxels of the smallest spacing; default "
-    "32 voxels of the largest spacing. Time and memory grow with it.",
+    "largest_ball": "Diameter at which balls are cut, and the largest thickness, > 0, at most 256 voxels of the smallest spacing, as text "
+    "256vx; default 32 voxels of the largest spacing. Time and memory grow with it.",
     "threads": "1 or more; default one for each processor that this process may use. Results do not depend on it.",
     "memory": 'Limit of what the work takes beside arrays, in bytes or as text such as "2G"; default none. Results do not depend on it.',
     "input": "Any file or folder that the program reads.",
     "output": "Its ending names its format.",
     "options": 'Those of the program, with underscores: ``thickness_map="map.mha", lower=72, memory="2G", overwrite=True``. True '
     "switches an option on; None and False leave it to its default. ``smooth=False`` and ``sub_voxel=False`` switch off. Values of all "
-    'axes are (z, y, x) as numbers, and as the program takes them as a text: ``spacing=(2, 1, 1)`` is ``spacing="1,1,2"``. Two limits '
-    "of places are a tuple: ``thin_below=(2, 2.5)``.",
+    'axes are (z, y, x) as numbers, and as the program takes them as a text: ``spacing=(2, 1, 1)`` is ``spacing="1,1,2"``. Limits '
+    "of places are a tuple: ``thin_below=(2, 2.5, 6)``.",
     "progress": "Called with the share that is done, from 0 to 1, about 20 times a second; an exception of it stops the work. True shows a "
     "bar of tqdm.",
 }

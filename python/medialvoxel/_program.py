@@ -24,7 +24,7 @@ from ._warnings import warn
 FileName = Union[str, "os.PathLike[str]"]
 
 # Where values of all axes are: x first for the program.
-_PER_AXIS = ("spacing", "raw_size", "raw_spacing")
+_PER_AXIS = ("spacing", "raw_size")
 
 # Options that are automatic unless they are on or off.
 _SWITCHES = ("smooth", "sub_voxel")

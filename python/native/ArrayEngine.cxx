@@ -31,7 +31,7 @@ ArrayEngine::ArrayEngine(const ArrayCall & call, const JobOptions & options)
   : m_Call(call)
   , m_Options(options)
   , m_Source(call)
-  , m_Grid(medialvoxel::GetGrid(options, call.header))
+  , m_Grid(medialvoxel::GetGrid(call.header))
   , m_Strides{ { 1, call.array.size[0], call.array.size[0] * call.array.size[1] } }
 {}
 
@@ -107,7 +107,7 @@ ArrayEngine::WriteVectors(const itk::MedialVoxelTileResult & tile, float * const
   Writer::MatrixType matrix{};
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    matrix[2 - axis][axis] = m_Options.voxelUnits ? 1.0 : m_Call.header.geometry.spacing[axis];
+    matrix[2 - axis][axis] = m_Call.header.geometry.spacing[axis];
   }
   float * const first = vectors + 3 * (this->PlaceOf(vectors, tile.box) - vectors);
   tile.WriteVectors(Writer(matrix), first, m_Strides);

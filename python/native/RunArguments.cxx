@@ -11,6 +11,7 @@
 #include "ValueStatistics.h"
 #include "Warnings.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -105,9 +106,10 @@ FindRow(unsigned int command, const std::string & name, std::size_t & arguments)
 }
 
 /** Sets options from words, one for each argument or option; its value stands behind an equals sign.
+ * \param voxel its length, of lengths in voxels
  * \throw JobError Usage for wrong values, and for options without an effect */
 void
-SetOptions(unsigned int command, const std::vector<std::string> & words, const OptionTarget & target)
+SetOptions(unsigned int command, const std::vector<std::string> & words, const OptionTarget & target, double voxel)
 {
   std::size_t                    arguments = 0;
   std::vector<const OptionRow *> given;
@@ -115,9 +117,10 @@ SetOptions(unsigned int command, const std::vector<std::string> & words, const O
   {
     const std::size_t sign = word.compare(0, 2, "--") == 0 ? word.find('=') : std::string::npos;
     const OptionRow & row = FindRow(command, word.substr(0, sign), arguments);
+    const std::string text = row.IsArgument() ? word : (sign == std::string::npos ? "true" : word.substr(sign + 1));
     try
     {
-      row.value.set(target, row.IsArgument() ? word : (sign == std::string::npos ? "true" : word.substr(sign + 1)));
+      row.value.set(target, row.value.isLength ? ReplaceUnits(text, voxel) : text);
     }
     catch (const WrongValue & error)
     {
@@ -139,13 +142,14 @@ template <typename TOptions, typename TRun>
 nlohmann::json
 Run(const ArrayCall & call, unsigned int command, const std::vector<std::string> & words, TRun && run)
 {
-  TOptions       options;
-  ProgramOptions program;
-  SetOptions(command, words, MakeTarget(options, program));
+  TOptions                    options;
+  ProgramOptions              program;
+  const std::vector<double> & spacing = call.header.geometry.spacing;
+  SetOptions(command, words, MakeTarget(options, program), *std::min_element(spacing.begin(), spacing.end()));
   CheckOptions(options);
   if constexpr (std::is_same_v<TOptions, ExtractOptions>)
   {
-    GetParameters(options, GetGrid(options, call.header));
+    GetParameters(options, GetGrid(call.header));
   }
   SetObject(call, options);
   CheckOptions(options); // with the threshold of Otsu

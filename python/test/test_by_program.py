@@ -30,10 +30,10 @@ class ByProgram(Folder):
     def test_thin_places(self):
         for values in (scan().astype("uint8"), scan()[:, 20].astype("float32")):
             with self.subTest(values.ndim):
-                options = ("--lower=60", "--thin-below=3.5,4", "--min-place-area=0")
+                options = ("--lower=60", "--thin-below=3.5,4,0")
                 expected = self.report_of("extract", "out.mha", values, *options)["places"]["thin"]
                 spacing = SPACING[-values.ndim :]
-                found = medialvoxel.thin_places(values, thin_below=(3.5, 4), min_place_area=0, lower=60, spacing=spacing)
+                found = medialvoxel.thin_places(values, thin_below=(3.5, 4, 0), lower=60, spacing=spacing)
                 self.assertGreater(found.number, 0)
                 self.assertEqual(len(found.places), found.number)
                 for name, value in expected.items():

@@ -243,7 +243,7 @@ class Check(support.Folder):
 
     def test_thickness_at_nodes_changes_nothing(self):
         support.write(self.folder / "in.mha", plate())
-        quality = self.mesh("m.inp", "--thickness-at=nodes")["quality"]
+        quality = self.mesh("m.inp", "--sections=nodes")["quality"]
         found = self.check("m.inp")
         del found["mesh"]
         self.assert_same(found, quality, 5)

@@ -70,7 +70,7 @@ class Files(Folder):
 
     def test_thin_places(self):
         table = self.folder / "places.csv"
-        options = {"lower": 40, "thin_below": (2.5, 3), "min_place_area": 0, "places": table, "overwrite": True}
+        options = {"lower": 40, "thin_below": (2.5, 3, 0), "places": table, "overwrite": True}
         map_file = self.folder / "map.mha"
         report = medialvoxel.extract_file(self.input, self.folder / "out.mha", thickness_map=map_file, **options)
         thin = report["places"]["thin"]

@@ -56,7 +56,7 @@ class LocalThickness(unittest.TestCase):
             ({"lower": 40, "upper": 90}, solid, SPACING, 48),
             ({"lower": 40, "upper": 90, "largest_ball": 4}, solid, SPACING, 4),
             ({"lower": 40, "upper": 90, "largest_ball": np.float32(2.5)}, solid, SPACING, 2.5),
-            ({"lower": 40, "upper": 90, "voxel_units": True}, solid, (1, 1, 1), 32),
+            ({"lower": 40, "upper": 90, "largest_ball": "4vx"}, solid, SPACING, 3),
             ({"lower": 40, "upper": 90, "threads": 1, "memory": "1M"}, solid, SPACING, 48),
             ({"label": 0}, values == 0, SPACING, 48),
             ({}, values != 0, SPACING, 48),

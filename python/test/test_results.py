@@ -21,7 +21,7 @@ MEASURES = {
     "levels of NumPy": ({"materials": np.float32([5, 120])}, ["--materials=5,120"], "fits"),
     "smoothed": ({"smooth": True}, ["--smooth=on"], "fits"),
     "a limit of the type": ({"upper": 255}, ["--upper=255"], "fits"),
-    "fixed, of voxels": ({"thickness": 3, "voxel_units": True}, ["--thickness=3", "--voxel-units"], "fits"),
+    "fixed, of voxels": ({"thickness": "3vx"}, ["--thickness=3vx"], "fits"),
 }
 
 SPACING = (1.5, 1.0, 0.75)
@@ -32,7 +32,7 @@ EXTRACTIONS = {
     "fixed": ({"lower": 40, "thickness": 2.5}, ["--lower", "40", "--thickness", "2.5"]),
     "otsu": ({"lower": "otsu", "smooth": "on"}, ["--lower", "otsu", "--smooth", "on"]),
     "range": ({"lower": 40, "upper": 90.5, "max_pore_size": 5}, ["--lower=40", "--upper=90.5", "--max-pore-size=5"]),
-    "all but 0": ({"voxel_units": True, "smooth": "off"}, ["--voxel-units", "--smooth", "off"]),
+    "all but 0": ({"smooth": "off"}, ["--smooth", "off"]),
     "sub-voxel": ({"lower": 40.25, "sub_voxel": True}, ["--lower", "40.25", "--sub-voxel"]),
     "background": ({"lower": 40, "vector_boundary": "background"}, ["--lower=40", "--vector-boundary=background"]),
 }
@@ -136,7 +136,7 @@ class Results(Folder):
 
     def test_distance_with_every_option(self):
         files = [self.folder / "vectors.mha", f"--distance={self.folder / 'distance.mha'}"]
-        for keywords in ({"boundary": "background"}, {"region": "inside"}, {"max_distance": 2.5}, {"label": 80}):
+        for keywords in ({"boundary": "background"}, {"region": "inside"}, {"max_distance": 2.5}, {"max_distance": "2.5vx"}, {"max_distance": "2mm"}, {"label": 80}):
             with self.subTest(keywords):
                 options = [f"--{name.replace('_', '-')}={value}" for name, value in keywords.items()]
                 if "label" not in keywords:
@@ -172,6 +172,7 @@ class Results(Folder):
             ("--triangles",): {"triangles": True},
             ("--min-component-size=50",): {"min_component_size": 50},
             ("--min-branch-length=3",): {"min_branch_length": 3},
+            ("--min-branch-length=4vx",): {"min_branch_length": "4VX"},
             ("--element-size=auto",): {"element_size": "auto"},
             ("--element-size=4", "--triangles"): {"element_size": 4, "triangles": True},
             ("--element-size=auto", "--extend-rims"): {"element_size": "auto", "extend_rims": True},

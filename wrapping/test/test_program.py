@@ -22,7 +22,7 @@ class Program(unittest.TestCase):
     def compare(self, name):
         path, lower, thickness, unit = real_volume(name)
         command = [program(), "extract", path, self.folder / "labels.mha", "--lower", lower, "--thickness", thickness]
-        command += ["--vectors", self.folder / "vectors.mha", "--quiet"] + (["--voxel-units"] if unit == "voxels" else [])
+        command += ["--vectors", self.folder / "vectors.mha", "--quiet"]
         subprocess.run(list(map(str, command)), check=True)
         medial = itk.MedialVoxelImageFilter.New(
             itk.imread(path),

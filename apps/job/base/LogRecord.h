@@ -16,8 +16,7 @@ enum class LogLevel : std::uint8_t
 {
   Error,
   Warning,
-  Info,
-  Debug
+  Info
 };
 
 /** A step of a job: one line of a log. */

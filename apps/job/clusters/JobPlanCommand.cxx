@@ -54,7 +54,7 @@ RefuseUnsupported(const ExtractOptions & options)
   }
   const std::vector<std::string> volumes = ListVolumeNames(options);
   if (std::any_of(volumes.begin(), volumes.end(), [&options](const std::string & name) {
-        return IsPackedVolume(name, options.compress);
+        return IsPackedVolume(name, options.compression);
       }))
   {
     refuse("a packed volume, which is one stream,",

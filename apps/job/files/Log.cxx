@@ -57,11 +57,9 @@ GetName(LogLevel level)
     case LogLevel::Warning:
       return "warning";
     case LogLevel::Info:
-      return "info";
-    case LogLevel::Debug:
       break;
   }
-  return "debug";
+  return "info";
 }
 
 /** Values with blanks, quotes or line ends become a string of JSON. */
@@ -142,9 +140,8 @@ private:
 
 } // namespace
 
-Log::Log(const std::filesystem::path & fileName, LogLevel level)
+Log::Log(const std::filesystem::path & fileName)
   : m_File(fileName, FileAccess::MakeLog)
-  , m_Level(level)
 {
   if (!m_File.IsOpen())
   {
@@ -159,10 +156,6 @@ Log::Log(const std::filesystem::path & fileName, LogLevel level)
 void
 Log::Write(const LogRecord & record)
 {
-  if (record.level > m_Level)
-  {
-    return;
-  }
   std::string line =
     GetTime() + " " + GetName(record.level) + " " + std::to_string(GetThisProcess().number) + " " + record.event;
   for (const auto & [name, value] : record.values)

@@ -21,9 +21,9 @@ namespace medialvoxel
 class Log
 {
 public:
-  /** Opens a file, or makes it. \param level the least urgent one that is written
+  /** Opens a file, or makes it.
    * \throw JobError Refused when the file cannot be written, or has something that is not a log. */
-  Log(const std::filesystem::path & fileName, LogLevel level);
+  explicit Log(const std::filesystem::path & fileName);
 
   /** A line that cannot be written is left out. */
   void
@@ -31,7 +31,6 @@ public:
 
 private:
   SystemFile m_File;
-  LogLevel   m_Level;
 };
 
 /** A sink that writes its reports to a log, which must outlive it, and hands them on to \a next. */

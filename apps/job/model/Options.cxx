@@ -77,14 +77,14 @@ GetReportFile(const JobOptions & options)
 }
 
 itk::MedialVoxelGrid
-GetGrid(const JobOptions & options, const VolumeHeader & header)
+GetGrid(const VolumeHeader & header)
 {
   itk::MedialVoxelIndex             size{ { 1, 1, 1 } };
   itk::MedialVoxelGrid::SpacingType spacing{ { 1.0, 1.0, 1.0 } };
   for (unsigned int axis = 0; axis < header.geometry.GetDimension(); ++axis)
   {
     size[axis] = static_cast<std::int64_t>(header.geometry.size[axis]);
-    spacing[axis] = options.voxelUnits ? 1.0 : header.geometry.spacing[axis];
+    spacing[axis] = header.geometry.spacing[axis];
   }
   return { size, spacing };
 }
@@ -245,12 +245,6 @@ GetLocalThickness(const ExtractOptions & options, const itk::MedialVoxelGrid & g
     task.walls->parameters = parameters;
   }
   return task;
-}
-
-std::string
-DescribeUnit(const JobOptions & options, const VolumeGeometry & geometry)
-{
-  return options.voxelUnits ? "voxels" : geometry.DescribeUnit();
 }
 
 std::string

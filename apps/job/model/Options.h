@@ -5,7 +5,7 @@
 
 #include "PlaceSummary.h"
 #include "VolumeHeader.h"
-#include "ZarrCompression.h"
+#include "Compression.h"
 
 #include "itkMedialVoxelEnums.h"
 #include "itkMedialVoxelExactNumber.h"
@@ -68,7 +68,6 @@ struct JobOptions
                             upperThreshold;       ///< object: value <= upper; neither set: object is value != 0
   bool                      lowerIsOtsu{ false }; ///< measure the lower threshold, unless it is set already
   std::optional<LabelValue> label;                ///< object: value == label, and no thresholds; unset: they decide
-  bool                      voxelUnits{ false };  ///< lengths in voxels instead of physical units
 
   std::optional<double> neededMaximum; ///< thickness that walls need in place of the default, once known
 
@@ -79,14 +78,13 @@ struct JobOptions
 
   std::string scratchFolder; ///< for a compressed volume whose values do not fit the memory; empty: none
 
-  std::optional<std::uint64_t> memoryLimit;       ///< cap on the memory; unset: half of the free memory
-  std::optional<unsigned int>  threads;           ///< 1 or more; unset: as ITK decides
-  std::optional<std::uint64_t> divisions;         ///< pieces along the last axis, 1 or more; unset: chosen
-  bool                         sparse{ false };   ///< blocks of zeros stay holes of the files, nothing is reserved
-  bool                         compress{ false }; ///< pack .mha and .nrrd outputs
-  ZarrCompression              zarrCompression{ ZarrCompression::Gzip }; ///< of .zarr outputs
-  bool                         overwrite{ false };                       ///< replace existing outputs
-  bool                         dryRun{ false };                          ///< plan and check only
+  std::optional<std::uint64_t> memoryLimit;     ///< cap on the memory; unset: half of the free memory
+  std::optional<unsigned int>  threads;         ///< 1 or more; unset: as ITK decides
+  std::optional<std::uint64_t> divisions;       ///< pieces along the last axis, 1 or more; unset: chosen
+  bool                         sparse{ false }; ///< blocks of zeros stay holes of the files, nothing is reserved
+  Compression                  compression{ Compression::Default }; ///< of volumes
+  bool                         overwrite{ false };                  ///< replace existing outputs
+  bool                         dryRun{ false };                     ///< plan and check only
 };
 
 /** Largest value of ExtractOptions::maximumPoreSize. */
@@ -127,7 +125,7 @@ struct ExtractOptions : JobOptions
 {
   std::string output; ///< labels, unsigned char
 
-  /** Lengths > 0 and finite, in the units of voxelUnits. The limits belong to the automatic thickness. */
+  /** Lengths > 0 and finite, in physical units. The limits belong to the automatic thickness. */
   std::optional<double> thickness;        ///< tau; unset: automatic
   std::optional<double> minimumThickness; ///< unset: 3 voxels of the smallest spacing
   std::optional<double> maximumThickness; ///< unset: 16 voxels of the smallest spacing, or what walls need
@@ -155,13 +153,11 @@ struct ExtractOptions : JobOptions
   std::string                uncertaintyFile;    ///< of the thickness at medial cells, float32
   std::string                localThicknessFile; ///< local thickness of the object voxels, float32
   LocalThicknessMethod       localThicknessMethod{ LocalThicknessMethod::Wall };
-  std::optional<double>      largestBall;      ///< largest of them, > 0; unset: 32 voxels of the largest spacing
-  std::string                thicknessCsvFile; ///< histogram of the thickness, comma-separated values
-  std::optional<PlaceLimits> thinBelow;        ///< places with thinner walls are listed; not with labels
-  std::optional<PlaceLimits> thickAbove;       ///< places with thicker walls are listed; not with labels
-  std::optional<double>      minimumPlaceArea; ///< area of places that count; unset: that of ten faces of voxels
-  std::string                placesFile;       ///< these places, comma-separated values
-  bool failsIfThin{ false };                   ///< the program ends with ExitStatus::TooThin when there are thin ones
+  std::optional<double>      largestBall; ///< largest of them, > 0; unset: 32 voxels of the largest spacing
+  std::optional<PlaceLimits> thinBelow;   ///< places with thinner walls are listed; not with labels
+  std::optional<PlaceLimits> thickAbove;  ///< places with thicker walls are listed; not with labels
+  std::string                placesFile;  ///< these places, comma-separated values
+  bool failsIfThin{ false };              ///< the program ends with ExitStatus::TooThin when there are thin ones
 
   std::string           previewFile;               ///< PNG
   std::string           htmlFile;                  ///< report as a page with the preview
@@ -212,9 +208,9 @@ ListsPlaces(const ExtractOptions & options);
 std::string
 GetReportFile(const JobOptions & options);
 
-/** The image of the header in the units of the options. */
+/** The image of the header. */
 itk::MedialVoxelGrid
-GetGrid(const JobOptions & options, const VolumeHeader & header);
+GetGrid(const VolumeHeader & header);
 
 /** Whether walls may be measured on gray values, unless these are a mask or a label map. */
 bool
@@ -269,10 +265,6 @@ constexpr const char * AutomaticSpacing = "auto";
 
 /** Keeps the spacing of the input. */
 constexpr const char * UnchangedSpacing = "off";
-
-/** The unit of lengths, for a reader. */
-std::string
-DescribeUnit(const JobOptions & options, const VolumeGeometry & geometry);
 
 /** The thickness and its unit for a reader. */
 std::string

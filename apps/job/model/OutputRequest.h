@@ -45,8 +45,7 @@ struct TileTarget
   void *                            first;   ///< voxel of the tile
   itk::MedialVoxelStrides           strides; ///< voxels of the volume
   const VolumeGeometry &            geometry;
-  itk::MedialVoxelGrid::SpacingType spacing; ///< in the units of lengths
-  bool                              voxelUnits{ false };
+  itk::MedialVoxelGrid::SpacingType spacing;
 };
 
 /** Writes the result of a tile to all its voxels in a volume. */

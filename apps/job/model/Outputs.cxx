@@ -46,9 +46,7 @@ WriteVectorsOf(const Result & tile, const TileTarget & target)
   {
     for (unsigned int axis = 0; axis < VDimension; ++axis)
     {
-      const double unit = row == axis ? 1.0 : 0.0;
-      matrix[row][axis] =
-        target.voxelUnits ? unit : target.geometry.direction[axis][row] * target.geometry.spacing[axis];
+      matrix[row][axis] = target.geometry.direction[axis][row] * target.geometry.spacing[axis];
     }
   }
   tile.WriteVectors(WriterType(matrix), static_cast<float *>(target.first), target.strides);
@@ -121,7 +119,6 @@ ListOutputKinds(const ExtractOptions &)
     { "thickness_map", &Options::thicknessFile, Thicknesses },
     { "uncertainty_map", &Options::uncertaintyFile, Uncertainties },
     { "local_thickness", &Options::localThicknessFile, LocalThicknesses },
-    { "thickness_csv", &Options::thicknessCsvFile, {}, {}, { ".csv" }, "histogram" },
     { "places", &Options::placesFile, {}, {}, { ".csv" }, "list of places" },
     { "mesh", &Options::meshFile, {}, NoMesh },
     { "preview", &Options::previewFile, {}, {}, { ".png" }, "preview" },

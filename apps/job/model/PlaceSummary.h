@@ -24,11 +24,12 @@ GetName(PlaceKind kind)
   return kind == PlaceKind::Thin ? "thin" : "thick";
 }
 
-/** Walls that are beyond a limit, and the cells around them that are beyond a second one. */
+/** Walls that are beyond a limit, the cells around them that are beyond a second one, and how many of them count. */
 struct PlaceLimits
 {
   double                limit{ 0.0 }; ///< length > 0; each place has a cell beyond it
-  std::optional<double> growLimit; ///< all cells are beyond it; unset: an eighth of the limit on the other side of it
+  std::optional<double> growLimit{}; ///< all cells are beyond it; unset: an eighth of the limit on the other side of it
+  std::optional<double> leastArea{}; ///< of cells beyond the limit; unset: that of ten faces of voxels
 
   double
   GetGrowLimit(PlaceKind kind) const

@@ -72,7 +72,6 @@ struct RawDescription
 {
   std::vector<std::uint64_t> size;
   PixelType                  pixelType{ PixelType::UInt8 };
-  std::vector<double>        spacing; ///< empty: 1 along each axis
   std::uint64_t              headerSize{ 0 };
   bool                       bigEndian{ false };
 };

@@ -7,6 +7,7 @@
 #include "Text.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace medialvoxel
 {
@@ -19,24 +20,6 @@ std::string
 JoinWords(const std::vector<std::string> & words, const char * separator)
 {
   return Join(words, separator, [](const std::string & word) { return word; });
-}
-
-/** Distances of voxels, one for each axis. */
-std::vector<double>
-ToSpacings(const std::string & text)
-{
-  std::vector<double> spacing;
-  for (const std::string & part : SplitAtCommas(text))
-  {
-    spacing.push_back(ToSpacing(part));
-  }
-  return spacing;
-}
-
-std::optional<std::string>
-FormatSpacings(const std::vector<double> & spacing)
-{
-  return spacing.empty() ? std::nullopt : std::optional<std::string>(FormatNumbers(spacing, ","));
 }
 
 OptionValue
@@ -78,8 +61,17 @@ Series()
 OptionValue
 Spacing()
 {
-  return Value<JobOptions>([](JobOptions & options, const std::string & text) { options.spacing = ToSpacings(text); },
-                           [](const JobOptions & options) { return FormatSpacings(options.spacing); });
+  return Value<JobOptions>(
+    [](JobOptions & options, const std::string & text) {
+      options.spacing.clear();
+      for (const std::string & part : SplitAtCommas(text))
+      {
+        options.spacing.push_back(ToSpacing(part));
+      }
+    },
+    [](const JobOptions & options) {
+      return options.spacing.empty() ? std::nullopt : std::optional<std::string>(FormatNumbers(options.spacing, ","));
+    });
 }
 
 OptionValue
@@ -130,6 +122,36 @@ GetRawSize(const RawDescription & raw)
   return Join(raw.size, ",", [](std::uint64_t length) { return std::to_string(length); });
 }
 
+/** TYPE, and perhaps :BYTES and :big behind it. */
+void
+SetRawType(RawDescription & raw, const std::vector<std::string> & names, const std::string & text)
+{
+  std::istringstream stream(text);
+  std::string        word;
+  std::getline(stream, word, ':');
+  raw.pixelType = *PixelTypeFromName(names[FindChoice(names, word)]);
+  raw.headerSize = 0;
+  raw.bigEndian = false;
+  bool hasNext = static_cast<bool>(std::getline(stream, word, ':'));
+  if (hasNext && ToLower(word) != "big")
+  {
+    raw.headerSize = ToCount(word, 0, LargestCount);
+    hasNext = static_cast<bool>(std::getline(stream, word, ':'));
+  }
+  raw.bigEndian = hasNext && ToLower(word) == "big";
+  if (hasNext != raw.bigEndian || !stream.eof() || text.back() == ':')
+  {
+    throw WrongValue("'" + text + "' is not a type, or a type as in uint16:512, uint16:big or uint16:512:big");
+  }
+}
+
+std::optional<std::string>
+GetRawType(const RawDescription & raw)
+{
+  return GetTraits(raw.pixelType).name + (raw.headerSize > 0 ? ":" + std::to_string(raw.headerSize) : "") +
+         (raw.bigEndian ? ":big" : "");
+}
+
 OptionValue
 RawType()
 {
@@ -142,20 +164,8 @@ RawType()
     return all;
   }();
   OptionValue value =
-    OfRaw([](RawDescription &    raw,
-             const std::string & text) { raw.pixelType = *PixelTypeFromName(names[FindChoice(names, text)]); },
-          [](const RawDescription & raw) { return std::optional<std::string>(GetTraits(raw.pixelType).name); });
+    OfRaw([](RawDescription & raw, const std::string & text) { SetRawType(raw, names, text); }, GetRawType);
   value.choices = names;
-  return value;
-}
-
-OptionValue
-RawFlag()
-{
-  OptionValue value =
-    OfRaw([](RawDescription & raw, const std::string & text) { raw.bigEndian = ToFlag(text); },
-          [](const RawDescription & raw) { return std::optional<std::string>(FormatFlag(raw.bigEndian)); });
-  value.isFlag = true;
   return value;
 }
 
@@ -278,31 +288,9 @@ AddRaw(std::vector<OptionRow> & rows)
     .Requires("--raw-type");
   AddRow(rows, "--raw-type", "TYPE", RawType())
     .OfJobs(Volumes, group)
-    .Help("Type of the voxels")
-    .Requires("--raw-size");
-  // Not shown, as --spacing says it for any input.
-  AddRow(rows,
-         "--raw-spacing",
-         "X,Y,Z",
-         OfRaw([](RawDescription & raw, const std::string & text) { raw.spacing = ToSpacings(text); },
-               [](const RawDescription & raw) { return FormatSpacings(raw.spacing); }))
-    .OfJobs(Volumes, group)
-    .Hidden()
-    .Help("The same as --spacing")
-    .Requires("--raw-size");
-  AddRow(rows,
-         "--raw-header",
-         "BYTES",
-         OfRaw([](RawDescription & raw, const std::string & text) { raw.headerSize = ToCount(text, 0, LargestCount); },
-               [](const RawDescription & raw) { return std::optional<std::string>(std::to_string(raw.headerSize)); }))
-    .OfJobs(Volumes, group)
-    .Hidden()
-    .Help("Bytes before the first voxel (default 0)")
-    .Requires("--raw-size");
-  AddRow(rows, "--raw-big-endian", "", RawFlag())
-    .OfJobs(Volumes, group)
-    .Hidden()
-    .Help("The first byte of a voxel is the most significant")
+    .Help("Type of the voxels",
+          "uint16:512: behind a header of 512 bytes. uint16:big: the first byte of a voxel is the most significant. "
+          "uint16:512:big: both.")
     .Requires("--raw-size");
 }
 

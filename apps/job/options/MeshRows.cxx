@@ -33,10 +33,22 @@ HasElements(const ExtractOptions & options)
   return HasMesh(options) && HoldsElements(GetMeshFormat(options.meshFile));
 }
 
-bool
-HasSections(const ExtractOptions & options)
+/** The step of sections, or the word for nodes. */
+OptionValue
+Sections()
 {
-  return HasElements(options) && options.thicknessPlace == ThicknessPlace::Sections;
+  constexpr const char * nodes = "nodes";
+  return OfLengths(Value<ExtractOptions>(
+    [](ExtractOptions & options, const std::string & text) {
+      const bool isAtNodes = ToLower(text) == nodes;
+      options.thicknessPlace = isAtNodes ? ThicknessPlace::Nodes : ThicknessPlace::Sections;
+      options.sectionWidth = isAtNodes ? std::nullopt : std::optional<double>(ToLength(text, " or nodes"));
+    },
+    [](const ExtractOptions & options) {
+      return options.thicknessPlace == ThicknessPlace::Nodes ? std::optional<std::string>(nodes)
+             : options.sectionWidth ? std::optional<std::string>(FormatNumber(*options.sectionWidth))
+                                    : std::nullopt;
+    }));
 }
 
 void
@@ -104,20 +116,6 @@ AddElements(std::vector<OptionRow> & rows)
         "double",
         "",
         Length(&ModuleOptions::elementSize) });
-  using Place = ThicknessPlace;
-  AddRow(rows,
-         "--thickness-at",
-         "PLACE",
-         Choice<ExtractOptions, Place>(&ExtractOptions::thicknessPlace,
-                                       { { "sections", Place::Sections }, { "nodes", Place::Nodes } }))
-    .Of(Mesh, "Mesh")
-    .Hidden()
-    .Help(
-      "Thickness of elements for solvers",
-      "sections (default): elements of nearly the same thickness share a section, as every solver reads. nodes: .inp "
-      "has it at nodes, .bdf and .k at the corners of elements. Needs a mesh in " +
-        solvers + ".")
-    .Needs("a mesh that is written as " + solvers, HasElements);
   AddRow(rows, "--extend-rims", "", Flag(&ExtractOptions::extendsRims))
     .Of(Sheets, "Mesh")
     .RefusedIn(Plan)
@@ -130,14 +128,17 @@ AddElements(std::vector<OptionRow> & rows)
     .Needs("--mesh", HasMesh)
     .Python(Mesh)
     .Slicer({ "Further outputs", "extendRims", "Extend rims", "" });
-  AddRow(rows, "--section-width", "W", Length(&ExtractOptions::sectionWidth))
+  AddRow(rows, "--sections", "STEP", Sections())
     .Of(Sheets, "Mesh")
     .Hidden()
     .RefusedIn(Plan)
-    .Help("Step of the thickness of sections",
-          "In units of the spacing; default: a quarter of the smallest spacing. Needs a mesh in " + solvers +
-            " with sections.")
-    .Needs("sections of a mesh that is written as " + solvers, HasSections);
+    .Help(
+      "Step of the thickness of sections, or nodes",
+      "Elements of nearly the same thickness share a section, as every solver reads. STEP is in units of the spacing; "
+      "default: a quarter of the smallest spacing. nodes: .inp has the thickness at nodes, .bdf and .k at the corners "
+      "of elements. Needs a mesh in " +
+        solvers + ".")
+    .Needs("a mesh that is written as " + solvers, HasElements);
   AddRow(rows, "--min-branch-length", "L", Length(&ExtractOptions::minimumBranchLength, ToLengthOrNone))
     .Of(Mesh, "Mesh")
     .Help("Leave out branches shorter than L",

@@ -37,10 +37,6 @@ CheckRanges(TOptions options)
 void
 CheckJobOptions(const JobOptions & options)
 {
-  if (options.raw && !options.raw->spacing.empty() && !options.spacing.empty())
-  {
-    Fail(ExitStatus::Usage, "--spacing and --raw-spacing are given; they are the same, and one is enough");
-  }
   if (options.raw)
   {
     CheckOptions(*options.raw);
@@ -171,10 +167,6 @@ CheckOptions(const RawDescription & raw)
            "; each size must be 1 or more, and their product less than 2^59");
     }
     voxels *= size;
-  }
-  if (!raw.spacing.empty() && raw.spacing.size() != dimension)
-  {
-    Fail(ExitStatus::Usage, "--raw-spacing has ", raw.spacing.size(), " values; --raw-size has ", dimension);
   }
 }
 

@@ -210,14 +210,21 @@ PlaceLimits
 ToPlaceLimits(const std::string & text, PlaceKind kind)
 {
   const std::vector<std::string> values = SplitAtCommas(text);
+  if (values.size() > 3)
+  {
+    Refuse(text, "is not one or two lengths and an area, with commas between them");
+  }
+  const bool  isThin = kind == PlaceKind::Thin;
+  PlaceLimits limits{ ToLength(values[0]) };
   if (values.size() > 2)
   {
-    Refuse(text, "is not one length, or two with a comma");
+    limits.leastArea = ToLengthOrNone(values[2]);
   }
-  const bool        isThin = kind == PlaceKind::Thin;
-  const PlaceLimits limits{ ToLength(values[0]),
-                            values.size() > 1 ? std::optional<double>(ToLength(values[1])) : std::nullopt };
-  const double      growLimit = limits.GetGrowLimit(kind);
+  if (values.size() == 2 || (values.size() == 3 && !values[1].empty()))
+  {
+    limits.growLimit = ToLength(values[1]);
+  }
+  const double growLimit = limits.GetGrowLimit(kind);
   if (isThin ? growLimit < limits.limit : growLimit > limits.limit)
   {
     Refuse(text,
@@ -287,7 +294,8 @@ FormatColorRange(const ColorRange & range)
 std::string
 FormatPlaceLimits(const PlaceLimits & limits)
 {
-  return FormatNumber(limits.limit) + (limits.growLimit ? "," + FormatNumber(*limits.growLimit) : "");
+  const std::string grow = limits.growLimit ? "," + FormatNumber(*limits.growLimit) : limits.leastArea ? "," : "";
+  return FormatNumber(limits.limit) + grow + (limits.leastArea ? "," + FormatNumber(*limits.leastArea) : "");
 }
 
 std::optional<bool>
@@ -309,13 +317,15 @@ ReplaceUnits(const std::string & text, const double voxel)
 {
   constexpr std::size_t length = 2;
   std::string           replaced;
+  int                   number = 0;
   for (const std::string & part : SplitAtCommas(text))
   {
+    const double                scale = ++number == 3 ? voxel * voxel : voxel;
     const std::size_t           front = part.size() < length ? 0 : part.size() - length;
     const std::string           unit = ToLower(part.substr(front));
     const std::optional<double> value =
       unit == "mm" || unit == "vx" ? ParseDouble(part.substr(0, front)) : std::nullopt;
-    replaced += "," + (value ? FormatNumber(unit == "vx" ? *value * voxel : *value) : part);
+    replaced += "," + (value ? FormatNumber(unit == "vx" ? *value * scale : *value) : part);
   }
   return replaced.substr(1);
 }

@@ -59,7 +59,7 @@ ToLevels(const std::string & text);
 ColorRange
 ToColorRange(const std::string & text);
 
-/** A limit on the thickness of walls, and perhaps the one that places grow to. */
+/** A limit on the thickness of walls, and perhaps the one that places grow to and the least area. */
 PlaceLimits
 ToPlaceLimits(const std::string & text, PlaceKind kind);
 
@@ -85,7 +85,8 @@ FindChoice(const std::vector<std::string> & names, const std::string & text);
 std::optional<bool>
 ParseFlag(const std::string & text);
 
-/** Lengths as numbers: mm are units of the spacing, and a vx is \a voxel of them. What has no unit stays. */
+/** Lengths as numbers, and an area behind the second comma: mm are units of the spacing, and a vx is \a voxel of them.
+ * What has no unit stays. */
 std::string
 ReplaceUnits(const std::string & text, double voxel);
 

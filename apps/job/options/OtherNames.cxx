@@ -26,8 +26,18 @@ constexpr OtherName FormerNames[] = {
   { "--minimum-thickness", "--min-thickness" },
   { "--maximum-thickness", "--max-thickness" },
   { "--maximum-distance", "--max-distance" },
-  { "--smallest-place", "--min-place-area" },
+  { "--smallest-place", "--thin-below", " T,,A" },
+  { "--min-place-area", "--thin-below", " T,,A" },
   { "--smallest-component", "--min-component-size" },
+  { "--voxel-units", "lengths with the unit", " vx, such as --thickness 3vx" },
+  { "--thickness-csv", "thickness.histogram of --report" },
+  { "--log-level", "the first word of each line of --log-file" },
+  { "--section-width", "--sections" },
+  { "--thickness-at", "--sections", " nodes" },
+  { "--zarr-compression", "--compress" },
+  { "--raw-spacing", "--spacing" },
+  { "--raw-header", "--raw-type", " TYPE:BYTES" },
+  { "--raw-big-endian", "--raw-type", " TYPE:big" },
 };
 
 /** Names that a reader of other programs tries. */

@@ -3,12 +3,13 @@
 #ifndef medialvoxelProgramOptions_h
 #define medialvoxelProgramOptions_h
 
-#include "LogRecord.h"
 #include "Options.h"
 #include "Progress.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace medialvoxel
 {
@@ -24,7 +25,9 @@ struct ProgramOptions
   ProgressStyle progress{ ProgressStyle::Auto };
   bool          quiet{ false };
   bool          showsPhases{ false }; ///< prints the long table
-  LogLevel      logLevel{ LogLevel::Info };
+
+  /** Lengths that were given in voxels, each of which sets its option when it is told how long a voxel is. */
+  std::vector<std::function<void(double voxel)>> lengthsInVoxels;
 };
 
 /** Which voxels are the object. The module for 3D Slicer is given all limits at all times, so that one of them has to
@@ -43,6 +46,7 @@ enum class ObjectSelection
 struct ModuleOptions
 {
   ExtractOptions  job;
+  ProgramOptions  program;
   ObjectSelection objectSelection{ ObjectSelection::NonZero };
   double          lowerThreshold{ 1 };
   double          upperThreshold{ 65535 };

@@ -18,16 +18,28 @@ using namespace Commands;
 
 constexpr const char * Group = "Run";
 
-/** Whether an option of outputs as .zarr has an effect. */
+/** Whether an option of volumes has an effect. */
 bool
-WritesZarr(const OptionTarget & target)
+WritesVolumes(const OptionTarget & target)
 {
-  const auto * const             extract = std::get<ExtractOptions *>(target);
-  const std::vector<std::string> names =
-    extract ? ListVolumeNames(*extract) : ListVolumeNames(*std::get<DistanceOptions *>(target));
-  return std::any_of(names.begin(), names.end(), [](const std::string & name) {
-    return ToLower(std::filesystem::path(name).extension().string()) == ".zarr";
-  });
+  const auto * const extract = std::get<ExtractOptions *>(target);
+  return !(extract ? ListVolumeNames(*extract) : ListVolumeNames(*std::get<DistanceOptions *>(target))).empty();
+}
+
+/** A flag, or the name of a kind. */
+OptionValue
+Packing()
+{
+  using Kind = Compression;
+  OptionValue value = Choice<JobOptions, Kind>(
+    &JobOptions::compression,
+    { { "on", Kind::On }, { "gzip", Kind::Gzip }, { "blosc-zstd", Kind::BloscZstd }, { "none", Kind::None } });
+  value.set = [set = value.set](const OptionTarget & target, const std::string & text) {
+    const std::optional<bool> isOn = ParseFlag(text);
+    isOn ? void(std::get<JobOptions *>(target)->compression = *isOn ? Kind::On : Kind::Default) : set(target, text);
+  };
+  value.isFlag = true;
+  return value;
 }
 
 bool
@@ -224,39 +236,19 @@ AddMessages(std::vector<OptionRow> & rows)
     .Of(Processes, Group)
     .HiddenIn(Runs)
     .Help("Append one line per step to this file", "Several processes may share it. Lines that are there stay.");
-  AddRow(rows,
-         "--log-level",
-         "LEVEL",
-         Choice<ProgramOptions, LogLevel>(&ProgramOptions::logLevel,
-                                          { { "info", LogLevel::Info },
-                                            { "error", LogLevel::Error },
-                                            { "warning", LogLevel::Warning },
-                                            { "debug", LogLevel::Debug } }))
-    .Of(Processes, Group)
-    .Hidden()
-    .Help("Least urgent lines of --log-file", "Lines that are less urgent are left out.")
-    .Requires("--log-file");
 }
 
 void
 AddPacking(std::vector<OptionRow> & rows)
 {
-  AddRow(rows, "--compress", "", Flag(&JobOptions::compress))
-    .Of(Extractions | Distance, Group)
-    .Hidden()
-    .RefusedIn(Plan)
-    .Help("Pack .mha and .nrrd outputs",
-          "zlib for .mha, gzip for .nrrd. Packed files do not stream. Not in jobs of several processes.");
-  AddRow(
-    rows,
-    "--zarr-compression",
-    "KIND",
-    Choice(&JobOptions::zarrCompression, { ZarrCompression::Gzip, ZarrCompression::BloscZstd, ZarrCompression::None }))
+  AddRow(rows, "--compress", "KIND", Packing())
     .OfJobs(Extractions | Distance, Group)
     .Hidden()
-    .Help("Compression of .zarr outputs",
-          "Needs a .zarr output. blosc-zstd makes smaller files than gzip, and makes them sooner.")
-    .Needs("an output that is written as .zarr", WritesZarr);
+    .Help("Pack volumes",
+          "on, the value of --compress alone: as the format does it. .mha: on or none (default). .nrrd: gzip or none "
+          "(default). .nii.gz: gzip. .zarr: gzip (default), none, or blosc-zstd, which makes smaller files, and makes "
+          "them sooner. Packed files do not stream, and only .zarr is packed in jobs of several processes.")
+    .Needs("an output that is a volume", WritesVolumes);
   AddRow(rows, "--resume", "", Flag(&ProgramOptions::resumes))
     .Of(Extract, Group)
     .Help("Continue a stopped run, or start one that can",

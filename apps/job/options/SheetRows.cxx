@@ -178,13 +178,6 @@ AddSheetRows(std::vector<OptionRow> & rows)
   AddThickness(rows);
   AddNoise(rows);
   AddDistances(rows);
-  AddRow(rows, "--voxel-units", "", Flag(&JobOptions::voxelUnits))
-    .OfJobs(Sheets | Distance, "Method")
-    .Hidden()
-    .Help("Lengths are in voxels, not in units of the spacing",
-          "Coordinates and thickness of meshes stay in units of the spacing.")
-    .Python(Extract | Mesh | Distance)
-    .Slicer({ "Object", "voxelUnits", "Thickness in voxels", "" });
 }
 
 } // end namespace medialvoxel

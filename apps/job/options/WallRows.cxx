@@ -163,39 +163,32 @@ AddGrayValues(std::vector<OptionRow> & rows)
         "Materials",
         "Values of background and material for sub-voxel measures, with a comma between them; empty: those of the "
         "scan" });
-  AddRow(rows, "--thickness-csv", "FILE", File(&ExtractOptions::thicknessCsvFile))
-    .OfJobs(Extractions, Walls)
-    .Hidden()
-    .Help("Histogram of the thickness (.csv)", "A line for each bin: thickness, cells, area of the sheet.");
 }
 
 void
 AddPlaces(std::vector<OptionRow> & rows)
 {
-  AddRow(rows, "--thin-below", "T,G", PlacesBeyond(&ExtractOptions::thinBelow, PlaceKind::Thin))
+  AddRow(rows, "--thin-below", "T,G,A", PlacesBeyond(&ExtractOptions::thinBelow, PlaceKind::Thin))
     .OfJobs(Extractions, Places)
-    .Help(
-      "List places thinner than T, grown to G",
-      "T or T,G in units of the spacing; greater than 0. A place is connected medial cells with walls thinner than G, "
-      "one of them thinner than T; default of G: 1.125 T. Measured as --thickness-map. Walls thinner than 3 voxels may "
-      "have holes. Not with --labels.")
+    .Help("List places thinner than T, grown to G, of area A",
+          "In units of the spacing, A in squared ones; G and A may be left out: T, T,G or T,,A. A place is connected "
+          "medial "
+          "cells with walls thinner than G, one of them thinner than T; default of G: 1.125 T. Its cells thinner than "
+          "T have "
+          "at least the area A; default: that of ten faces of voxels, 10vx; 0 keeps all. Measured as --thickness-map. "
+          "Walls "
+          "thinner than 3 voxels may have holes. Not with --labels.")
     .Slicer({ Outputs, "thinBelow", "Thin below", "" });
-  AddRow(rows, "--thick-above", "T,G", PlacesBeyond(&ExtractOptions::thickAbove, PlaceKind::Thick))
+  AddRow(rows, "--thick-above", "T,G,A", PlacesBeyond(&ExtractOptions::thickAbove, PlaceKind::Thick))
     .OfJobs(Extractions, Places)
-    .Help("List places thicker than T, grown to G",
-          "T or T,G in units of the spacing; default of G: 0.875 T. Walls thicker than --max-thickness have no medial "
+    .Help("List places thicker than T, grown to G, of area A",
+          "As --thin-below; default of G: 0.875 T. Walls thicker than --max-thickness have no medial "
           "cells.")
     .Slicer({ Outputs,
               "thickAbove",
               "Thick above",
               "The same for thicker walls; by default places grow to 0.875 times as much" });
   const char * const places = "--thin-below or --thick-above";
-  AddRow(rows, "--min-place-area", "A", Length(&ExtractOptions::minimumPlaceArea, ToLengthOrNone))
-    .OfJobs(Extractions, Places)
-    .Hidden()
-    .Help("Least area of thin and of thick places",
-          "In squared units of the spacing; default: that of ten faces of voxels. 0 keeps all.")
-    .Needs(places, ListsPlaces);
   AddRow(rows, "--places", "FILE", File(&ExtractOptions::placesFile))
     .OfJobs(Extractions, Places)
     .Help(

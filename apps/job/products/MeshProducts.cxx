@@ -41,7 +41,7 @@ public:
     const VolumeHeader & header = start.job.input;
     m_Mesh = std::make_unique<SheetMesh>(m_Options,
                                          header.geometry,
-                                         GetGrid(m_Options, header),
+                                         GetGrid(header),
                                          start.job.plan.GetSurplusShare(),
                                          [](const std::size_t count, const auto & task) { RunInThreads(count, task); });
     m_Links.observer = &m_Mesh->GetObserver();

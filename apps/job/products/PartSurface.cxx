@@ -29,7 +29,7 @@ constexpr const char * RayName = "ray_thickness";
 double
 GetMaximumRay(const PartOptions & options, const VolumeHeader & header)
 {
-  return GetLocalThickness(GetThicknessOptions(options), GetGrid(options, header)).maximumThickness;
+  return GetLocalThickness(GetThicknessOptions(options), GetGrid(header)).maximumThickness;
 }
 
 std::int64_t
@@ -91,7 +91,7 @@ PartSurface::PartSurface(const PartOptions & options, const VolumeHeader & heade
   , m_MaximumRay(GetMaximumRay(options, header))
   , m_Halo(GetHalo(options, header))
   , m_Margins(m_Size, GetSlicesOfMargins(options, header))
-  , m_Ray(m_Margins, GetGrid(options, header).GetSpacing(), m_MaximumRay)
+  , m_Ray(m_Margins, GetGrid(header).GetSpacing(), m_MaximumRay)
   , m_Isosurface(m_Margins,
                  !options.isOpen,
                  *this,

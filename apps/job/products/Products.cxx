@@ -159,7 +159,7 @@ MakeProducts(const ExtractOptions & options, const VolumeHeader & header)
   {
     if (row->IsWanted(options))
     {
-      products.push_back(row->make(options, options.*row->file));
+      products.push_back(row->make(options, row->file != nullptr ? options.*row->file : ""));
     }
   }
   return products;

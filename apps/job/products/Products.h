@@ -11,7 +11,7 @@ namespace medialvoxel
 /** A product of an extraction beside its volumes. */
 struct ProductRow
 {
-  std::string ExtractOptions::* file;
+  std::string ExtractOptions::* file; ///< null: it writes none
   std::unique_ptr<Product> (*make)(const ExtractOptions &, std::string fileName);
 
   bool (*isWantedAnyway)(const ExtractOptions &){ [](const ExtractOptions &) { return false; } };
@@ -19,7 +19,7 @@ struct ProductRow
   bool
   IsWanted(const ExtractOptions & options) const
   {
-    return !(options.*file).empty() || isWantedAnyway(options);
+    return (file != nullptr && !(options.*file).empty()) || isWantedAnyway(options);
   }
 };
 

@@ -42,7 +42,7 @@ protected:
 };
 
 /** \class StatisticsProduct
- * \brief Statistics of the thickness, and their histogram. */
+ * \brief Statistics of the thickness. */
 class StatisticsProduct : public SurveyProduct<Survey>
 {
 public:
@@ -58,7 +58,7 @@ public:
   Start(ProductStart & start) override
   {
     const VolumeHeader & header = start.job.input;
-    this->StartSurvey(header.geometry, GetGrid(m_Options, header), this->GetSettings());
+    this->StartSurvey(header.geometry, GetGrid(header), this->GetSettings());
     start.survey = m_Survey.get();
   }
 
@@ -76,12 +76,6 @@ private:
     SurveySettings settings;
     settings.picture = WantsPictures(m_Options);
     return settings;
-  }
-
-  std::optional<std::string>
-  MakeText(const JobResult &) const override
-  {
-    return MakeThicknessCsv(*m_Survey);
   }
 };
 
@@ -103,7 +97,7 @@ public:
   {
     const VolumeHeader & header = start.job.input;
     this->StartSurvey(header.geometry,
-                      GetGrid(m_Options, header),
+                      GetGrid(header),
                       this->GetSettings(),
                       start.survey->GetAreaUnit(),
                       start.job.plan.GetSurplusShare());
@@ -131,10 +125,9 @@ private:
     {
       if (limits)
       {
-        settings.limits[kind] = *limits;
+        settings[kind] = *limits;
       }
     }
-    settings.minimumPlaceArea = m_Options.minimumPlaceArea;
     return settings;
   }
 
@@ -176,10 +169,9 @@ public:
     m_Preview = m_Pictures.labels;
     if (const VoxelOutput * const thicknesses = end.outputs.FindVolume("thickness_map"))
     {
-      const char * const ofFile = geometry.inMillimeters ? "mm" : "units";
+      const char * const unit = geometry.inMillimeters ? "mm" : "units";
       const ColorRange   colors = m_Options.colorRange.value_or(GetColorRange(m_Survey->GetSums().GetAreas()));
-      const Canvas       other = DrawThicknessPreview(
-        labels, *thicknesses, geometry, *m_Survey, colors, m_Options.voxelUnits ? "voxels" : ofFile);
+      const Canvas       other = DrawThicknessPreview(labels, *thicknesses, geometry, *m_Survey, colors, unit);
       m_Pictures.thicknesses = other.EncodePng();
       m_Preview = JoinCanvases(canvas, other).EncodePng();
     }
@@ -251,9 +243,7 @@ private:
 
 } // namespace
 
-const ProductRow StatisticsRow{ &ExtractOptions::thicknessCsvFile, Make<StatisticsProduct>, [](const ExtractOptions &) {
-                                 return true;
-                               } };
+const ProductRow StatisticsRow{ nullptr, Make<StatisticsProduct>, [](const ExtractOptions &) { return true; } };
 const ProductRow PlaceRow{ &ExtractOptions::placesFile, Make<PlaceProduct>, ListsPlaces };
 const ProductRow PictureRow{ &ExtractOptions::previewFile, Make<PictureProduct>, WantsPictures };
 const ProductRow PageRow{ &ExtractOptions::htmlFile, Make<PageProduct> };

@@ -126,8 +126,7 @@ FormatColor(const Values & values)
 std::string
 DescribeUnit(const Json & result)
 {
-  const bool isPhysical = result["parameters"]["units"] == "physical";
-  return !isPhysical ? "voxels" : (result["input"]["unit"].is_null() ? "units of the spacing" : "mm");
+  return result["input"]["unit"].is_null() ? "units of the spacing" : "mm";
 }
 
 struct Format

@@ -37,13 +37,12 @@ GetPlannedCellMemory(const VolumeGeometry & geometry)
 
 /** Places of a kind that are listed, at most: no two of them touch. */
 std::uint64_t
-GetMostPlaces(const VolumeGeometry & geometry, const PlaceSettings & settings)
+GetMostPlaces(const VolumeGeometry & geometry, const PlaceLimits & limits)
 {
   // Places with the voxels behind their cells do not overlap: ten cells have (10^(1/3) + 1)^3, or (10^(1/2) + 1)^2.
   const std::uint64_t voxelsOfTenCells = geometry.GetDimension() == 3 ? 31 : 17;
   const std::uint64_t voxelsOfCell = std::uint64_t{ 1 } << geometry.GetDimension();
-  const std::uint64_t places =
-    geometry.GetNumberOfVoxels() / (settings.minimumPlaceArea ? voxelsOfCell : voxelsOfTenCells) + 1;
+  const std::uint64_t places = geometry.GetNumberOfVoxels() / (limits.leastArea ? voxelsOfCell : voxelsOfTenCells) + 1;
   return std::min<std::uint64_t>(places, PlaceList::MostPlaces);
 }
 
@@ -75,11 +74,10 @@ PlaceSurvey::PlaceSurvey(const VolumeGeometry &       geometry,
   , m_AreaUnit(areaUnit)
   , m_AllowedBytes(GetPlannedCellMemory(geometry) + surplus)
 {
-  const double smallest =
-    settings.minimumPlaceArea.value_or(FacesOfSmallestPlace * AreaUnitsPerFace * areaUnit) / areaUnit;
-  for (const auto & [kind, limits] : settings.limits)
+  for (const auto & [kind, limits] : settings)
   {
-    PlaceRule rule;
+    const double smallest = limits.leastArea.value_or(FacesOfSmallestPlace * AreaUnitsPerFace * areaUnit) / areaUnit;
+    PlaceRule    rule;
     rule.kind = kind;
     rule.limit = static_cast<float>(limits.limit);
     rule.growLimit = static_cast<float>(limits.GetGrowLimit(kind));
@@ -264,8 +262,11 @@ PlaceSurvey::GetFootprint(const VolumeGeometry & geometry, const PlaceSettings &
   // The places that are listed, sorted, described and as text.
   constexpr std::uint64_t bytesOfText = 256;
   constexpr std::uint64_t bytesPerPlace = 2 * sizeof(PlaceSums) + sizeof(WallPlace) + bytesOfText;
-  const std::uint64_t     bytes =
-    settings.limits.size() * GetMostPlaces(geometry, settings) * bytesPerPlace + GetPlannedCellMemory(geometry);
+  std::uint64_t           bytes = GetPlannedCellMemory(geometry);
+  for (const auto & [kind, limits] : settings)
+  {
+    bytes += GetMostPlaces(geometry, limits) * bytesPerPlace;
+  }
   // Three cases: all walls of a piece are thin and noisy; walls are thin here and there; a thin wall lies in a slice,
   // which then has many cells at once. Cells get half of the memory beside the walls.
   const PieceSurplus surplus{ 8, 1, PlaceJoiner::CellSize + 2 * PlaceJoiner::OpenCellSize, 2 };

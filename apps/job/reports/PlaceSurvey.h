@@ -22,11 +22,7 @@ namespace medialvoxel
 {
 
 /** Which places are looked for. */
-struct PlaceSettings
-{
-  std::map<PlaceKind, PlaceLimits> limits;           ///< of the kinds that are
-  std::optional<double>            minimumPlaceArea; ///< of places that count; unset: that of ten faces of voxels
-};
+using PlaceSettings = std::map<PlaceKind, PlaceLimits>;
 
 /** \class PlaceMemoryError
  * \brief The cells of a region take more memory than is planned; smaller regions take less. */

@@ -101,7 +101,6 @@ AddObject(Json & parameters, const JobOptions & options, const JobResult & resul
   parameters["lower_otsu"] = options.lowerIsOtsu;
   parameters["upper"] = MakeLimit(options.upperThreshold);
   parameters["label"] = options.label ? Json::parse(FormatLabel(*options.label)) : Json(nullptr);
-  parameters["units"] = options.voxelUnits ? "voxels" : "physical";
   parameters["resampled_spacing"] = result.input.stored ? Json(result.input.geometry.spacing) : Json(nullptr);
 }
 
@@ -163,7 +162,7 @@ Json
 MakeLocalThickness(const ExtractOptions & options, const JobResult & result)
 {
   const itk::MedialVoxelLocalThicknessSums & sums = result.sums.localThickness;
-  const auto maximum = static_cast<float>(GetLocalThickness(options, GetGrid(options, result.input)).maximumThickness);
+  const auto maximum = static_cast<float>(GetLocalThickness(options, GetGrid(result.input)).maximumThickness);
   return { { "method", GetName(options.localThicknessMethod) },
            { "largest_ball", maximum },
            { "voxels", sums.voxels },
@@ -197,7 +196,7 @@ MakeMeasure(const JobResult & result)
 void
 AddRaisedMaximum(Json & parameters, const ExtractOptions & options, const JobResult & result)
 {
-  const itk::MedialVoxelGrid grid = GetGrid(options, result.input);
+  const itk::MedialVoxelGrid grid = GetGrid(result.input);
   ExtractOptions             before = options;
   before.neededMaximum.reset();
   const double maximum = GetLimitsOfWalls(before, grid).maximum;
@@ -247,7 +246,7 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   }
   else
   {
-    const auto limits = GetLimitsOfWalls(options, GetGrid(options, result.input));
+    const auto limits = GetLimitsOfWalls(options, GetGrid(result.input));
     parameters["thickness"] = AutomaticThickness;
     parameters["min_thickness"] = limits.minimum;
     parameters["max_thickness"] = limits.maximum;
@@ -258,7 +257,7 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   {
     parameters["labels"] = options.labels->all ? Json("all") : Json(options.labels->values);
   }
-  parameters["max_pore_size"] = GetParameters(options, GetGrid(options, result.input)).maximumPoreSize;
+  parameters["max_pore_size"] = GetParameters(options, GetGrid(result.input)).maximumPoreSize;
   parameters["smooth"] = GetName(GetRequestedSmoothing(options));
   parameters["sub_voxel"] = options.subVoxel ? Json(*options.subVoxel) : Json(nullptr);
   parameters["materials"] =
@@ -282,7 +281,7 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   {
     report["places"] = MakePlacesJson(result.places);
   }
-  AddShares(report, GetGrid(options, result.input));
+  AddShares(report, GetGrid(result.input));
   if (!options.localThicknessFile.empty())
   {
     report["local_thickness"] = MakeLocalThickness(options, result);
@@ -303,7 +302,7 @@ Json
 MakeReport(const PartOptions & options, const JobResult & result)
 {
   const ExtractOptions walls = GetThicknessOptions(options);
-  const auto           grid = GetGrid(options, result.input);
+  const auto           grid = GetGrid(result.input);
   Json                 parameters = Json::object();
   AddObject(parameters, options, result);
   parameters["max_pore_size"] = GetParameters(walls, grid).maximumPoreSize;

@@ -96,20 +96,4 @@ MakeUncertainty(const ThicknessSums & sums)
            { "leaves_out", UncertaintyLeavesOut } };
 }
 
-std::string
-MakeThicknessCsv(const Survey & survey)
-{
-  const LengthHistogram &            histogram = survey.GetSums().GetCells();
-  const std::vector<std::uint64_t> & numbers = histogram.GetNumbers();
-  const std::vector<std::uint64_t> & areas = survey.GetSums().GetAreas().GetNumbers();
-  std::string                        text = "thickness,cells,area\n";
-  for (std::size_t bin = histogram.GetBin(histogram.GetMinimum()); bin < numbers.size(); ++bin)
-  {
-    const std::uint64_t area = bin < areas.size() ? areas[bin] : 0;
-    text += FormatNumber(static_cast<double>(bin) * histogram.GetBinWidth()) + ',' + std::to_string(numbers[bin]) +
-            ',' + FormatNumber(static_cast<double>(area) * survey.GetAreaUnit()) + '\n';
-  }
-  return text;
-}
-
 } // end namespace medialvoxel

@@ -31,11 +31,6 @@ MakeThickness(const ThicknessSums & sums, const Survey & survey);
 Json
 MakeUncertainty(const ThicknessSums & sums);
 
-/** The histograms as comma-separated values: a line with the names thickness, cells and area, and one for every bin
- * from the smallest to the largest thickness, each with the length in the middle of the bin. */
-std::string
-MakeThicknessCsv(const Survey & survey);
-
 } // end namespace medialvoxel
 
 #endif

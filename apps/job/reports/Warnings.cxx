@@ -49,23 +49,19 @@ struct Length
 };
 
 Length
-MeasureLength(const char * name, double value, const JobOptions & options, const VolumeHeader & input)
+MeasureLength(const char * name, double value, const VolumeHeader & input)
 {
   const double      spacing = GetSmallestSpacing(input.geometry);
   const std::string unit = (input.geometry.inMillimeters ? " " : " in ") + input.geometry.DescribeUnit();
-  Length            length{ name, value, options.voxelUnits ? value : value / spacing, "" };
-  length.text = std::string("the ") + name + " of " +
-                (options.voxelUnits ? FormatShort(value) + " voxels is " + FormatShort(value * spacing) + unit
-                                    : FormatShort(value) + unit + " is " + FormatShort(length.voxels) + " voxels");
+  Length            length{ name, value, value / spacing, "" };
+  length.text =
+    std::string("the ") + name + " of " + FormatShort(value) + unit + " is " + FormatShort(length.voxels) + " voxels";
   return length;
 }
 
 /** Lengths of walls that are far from the usual 1 to 50 voxels: often the units are others than the user thinks. */
 std::optional<WarningText>
-CheckLength(const char *                  name,
-            const std::optional<double> & value,
-            const ExtractOptions &        options,
-            const VolumeHeader &          input)
+CheckLength(const char * name, const std::optional<double> & value, const VolumeHeader & input)
 {
   constexpr double farBelow = 0.5;
   constexpr double farAbove = 100.0;
@@ -73,7 +69,7 @@ CheckLength(const char *                  name,
   {
     return std::nullopt;
   }
-  const Length length = MeasureLength(name, *value, options, input);
+  const Length length = MeasureLength(name, *value, input);
   if (length.voxels >= farBelow && length.voxels <= farAbove)
   {
     return std::nullopt;
@@ -89,7 +85,7 @@ CheckMaximumDistance(const DistanceOptions & options, const VolumeHeader & input
   {
     return std::nullopt;
   }
-  const Length length = MeasureLength("maximum distance", *options.maximumDistance, options, input);
+  const Length length = MeasureLength("maximum distance", *options.maximumDistance, input);
   if (length.voxels >= 1.0)
   {
     return std::nullopt;
@@ -112,7 +108,7 @@ CheckScratch(const JobOptions & options, const VolumeHeader & input)
 std::optional<WarningText>
 CheckSpacing(const ExtractOptions & options, const VolumeHeader & input)
 {
-  const itk::MedialVoxelGrid grid = GetGrid(options, input);
+  const itk::MedialVoxelGrid grid = GetGrid(input);
   const std::string          inaccuracy = itk::MedialVoxelGridLimits::FindInaccuracy(grid);
   if (inaccuracy.empty())
   {
@@ -127,15 +123,15 @@ const std::vector<Rule<ExtractOptions, VolumeHeader>> RequestRules{
   { "unequal_spacing", CheckSpacing },
   { "unusual_thickness",
     [](const ExtractOptions & options, const VolumeHeader & input) {
-      return CheckLength("thickness", options.thickness, options, input);
+      return CheckLength("thickness", options.thickness, input);
     } },
   { "unusual_min_thickness",
     [](const ExtractOptions & options, const VolumeHeader & input) {
-      return CheckLength("minimum thickness", options.minimumThickness, options, input);
+      return CheckLength("minimum thickness", options.minimumThickness, input);
     } },
   { "unusual_max_thickness",
     [](const ExtractOptions & options, const VolumeHeader & input) {
-      return CheckLength("maximum thickness", options.maximumThickness, options, input);
+      return CheckLength("maximum thickness", options.maximumThickness, input);
     } },
   { "unused_scratch",
     [](const ExtractOptions & options, const VolumeHeader & input) {
@@ -219,7 +215,7 @@ CheckMaximumThickness(const WallFacts & facts)
   {
     return std::nullopt;
   }
-  const itk::MedialVoxelGrid grid = GetGrid(facts.options, facts.result.input);
+  const itk::MedialVoxelGrid grid = GetGrid(facts.result.input);
   const LengthHistogram &    areas = facts.survey.GetSums().GetAreas();
   const double               maximum = GetLimitsOfWalls(facts.options, grid).maximum;
   const double               share = GetShareAbove(areas, maximum);
@@ -227,12 +223,11 @@ CheckMaximumThickness(const WallFacts & facts)
   {
     return std::nullopt;
   }
-  const double      edge = facts.options.voxelUnits ? 1.0 : GetSmallestSpacing(facts.result.input.geometry);
-  const double      suggestion = std::ceil(areas.GetPercentile(nearlyAll) / edge) * edge;
-  const std::string unit = facts.options.voxelUnits ? " voxels" : "";
+  const double edge = GetSmallestSpacing(facts.result.input.geometry);
+  const double suggestion = std::ceil(areas.GetPercentile(nearlyAll) / edge) * edge;
   return WarningText{
-    FormatShare(share) + " of the sheet is of walls thicker than the maximum thickness " + FormatShort(maximum) + unit +
-      ", and may be branches towards their edges; a maximum thickness of " + FormatShort(suggestion) + unit +
+    FormatShare(share) + " of the sheet is of walls thicker than the maximum thickness " + FormatShort(maximum) +
+      ", and may be branches towards their edges; a maximum thickness of " + FormatShort(suggestion) +
       " reaches nearly all",
     { { "area_percent", 100.0 * share }, { "max_thickness", maximum }, { "suggested_max_thickness", suggestion } }
   };
@@ -256,7 +251,7 @@ GetVolumeOfWalls(const WallFacts & facts)
 double
 GetVolumeOfObject(const JobOptions & options, const JobResult & result)
 {
-  const itk::MedialVoxelGrid grid = GetGrid(options, result.input);
+  const itk::MedialVoxelGrid grid = GetGrid(result.input);
   auto                       volume = static_cast<double>(result.sums.counts.objectVoxels);
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
@@ -299,10 +294,9 @@ CheckBalls(const ExtractOptions & options, const JobResult & result)
   {
     return std::nullopt;
   }
-  const double maximum = GetLocalThickness(options, GetGrid(options, result.input)).maximumThickness;
+  const double maximum = GetLocalThickness(options, GetGrid(result.input)).maximumThickness;
   return WarningText{ FormatShare(share) + " of the object has the thickness of the largest ball, " +
-                        FormatShort(maximum) + (options.voxelUnits ? " voxels" : "") +
-                        ", and may be thicker; a larger --largest-ball measures it",
+                        FormatShort(maximum) + ", and may be thicker; a larger --largest-ball measures it",
                       { { "object_percent", 100.0 * share }, { "largest_ball", maximum } } };
 }
 

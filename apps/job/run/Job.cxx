@@ -149,7 +149,7 @@ ChooseSegments(ExtractOptions & options, const JobResult & job)
 std::vector<JobTask>
 ListTasks(const ExtractOptions & options, const VolumeHeader & header)
 {
-  const itk::MedialVoxelGrid                                grid = GetGrid(options, header);
+  const itk::MedialVoxelGrid                                grid = GetGrid(header);
   std::optional<itk::MedialVoxelSheetExtraction::GrayRange> range;
   if (MayMeasureOnGrayValues(options, header))
   {
@@ -239,7 +239,7 @@ Footprint
 Job::GetFootprint(const bool isShared) const
 {
   Footprint footprint;
-  footprint.grid = GetGrid(options, result.input);
+  footprint.grid = GetGrid(result.input);
   for (const JobTask & task : tasks)
   {
     footprint.engines.push_back({ task.filler, MakeEngineSettings(result.input, task.task) });
@@ -267,7 +267,7 @@ Job::Plan(const bool isShared)
   {
     if (output.layout)
     {
-      CheckOutputFormat(output.fileName, result.input.geometry, *output.layout, options.compress);
+      CheckOutputFormat(output.fileName, result.input.geometry, *output.layout, options.compression);
     }
   }
   std::error_code error;
@@ -305,12 +305,12 @@ Job::OpenVolume() const
   const auto walls = this->GetWalls();
   if (walls && walls->labels)
   {
-    const auto poreSize = GetParameters(*walls, GetGrid(options, result.input)).maximumPoreSize;
+    const auto poreSize = GetParameters(*walls, GetGrid(result.input)).maximumPoreSize;
     return std::make_unique<LabelMap>(result.input, *walls->labels, poreSize, result.plan.memory.toKeep);
   }
   const Smoothing smoothing = walls ? GetSmoothing(*walls) : Smoothing::Off;
   auto            opened = std::make_unique<InputVolume>(result.input, options, result.plan.memory.toKeep, smoothing);
-  const itk::MedialVoxelGrid grid = GetGrid(options, result.input);
+  const itk::MedialVoxelGrid grid = GetGrid(result.input);
   const auto * const         surface = std::get_if<PartOptions>(&command);
   const bool hasSheet = surface == nullptr || surface->localThicknessMethod == LocalThicknessMethod::Wall;
   if (const auto maximum = walls && hasSheet ? GetDefaultMaximumThickness(*walls, grid) : std::nullopt)

@@ -43,8 +43,7 @@ MakeBalls(Job & job)
     auto * const thickness = FindWallThickness(task);
     if (thickness != nullptr && FindsWallsBefore(job))
     {
-      thickness->balls = balls =
-        std::make_shared<itk::MedialVoxelWallBalls>(GetGrid(job.options, job.result.input), *thickness);
+      thickness->balls = balls = std::make_shared<itk::MedialVoxelWallBalls>(GetGrid(job.result.input), *thickness);
     }
   }
   return balls;
@@ -89,7 +88,7 @@ JobRun::JobRun(Job & job, OutputSet & outputs, ProgressSink & sink)
   {
     m_Objects = std::make_unique<LabelMapRun>(static_cast<LabelMap &>(*m_Input).GetObjects(),
                                               planned.input.geometry,
-                                              GetParameters(*m_Walls, GetGrid(*m_Walls, planned.input)).maximumPoreSize,
+                                              GetParameters(*m_Walls, GetGrid(planned.input)).maximumPoreSize,
                                               *start.survey);
     m_Engines.front().engine->AddObserver(m_Objects->GetObserver());
   }

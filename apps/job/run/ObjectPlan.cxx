@@ -42,7 +42,7 @@ DescribeObjects(const JobOptions & options, const VolumeHeader & header, const R
   ExtractOptions own;
   static_cast<JobOptions &>(own) = options;
   own.labels = LabelSelection{ true, {}, {} };
-  const std::uint64_t maximumPoreSize = GetParameters(own, GetGrid(own, header)).maximumPoreSize;
+  const std::uint64_t maximumPoreSize = GetParameters(own, GetGrid(header)).maximumPoreSize;
 
   const JobPlan plan = FitToMemory(own, header, Job(own, header).GetFootprint());
   LabelMap      volume(header, *own.labels, maximumPoreSize, plan.memory.toKeep);

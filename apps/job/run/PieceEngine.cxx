@@ -58,9 +58,8 @@ PieceEngine::PieceEngine(itk::MedialVoxelObjectSource &     input,
                          const PieceObserver &              observer)
   : m_Input(input)
   , m_Geometry(header.geometry)
-  , m_UsesVoxelUnits(options.voxelUnits)
   , m_SkipsEmptyPieces(options.sparse)
-  , m_Grid(GetGrid(options, header))
+  , m_Grid(GetGrid(header))
   , m_Settings(MakeEngineSettings(header, task))
   , m_Observer(observer)
 {
@@ -237,7 +236,7 @@ PieceEngine::WriteTile(const itk::MedialVoxelTileResult & tile,
                        void *                             first,
                        const itk::MedialVoxelStrides &    strides) const
 {
-  request.write(tile, { first, strides, m_Geometry, m_Grid.GetSpacing(), m_UsesVoxelUnits });
+  request.write(tile, { first, strides, m_Geometry, m_Grid.GetSpacing() });
 }
 
 void

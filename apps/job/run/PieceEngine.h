@@ -207,7 +207,6 @@ private:
 
   itk::MedialVoxelObjectSource &                                m_Input;
   VolumeGeometry                                                m_Geometry;
-  bool                                                          m_UsesVoxelUnits;
   bool                                                          m_SkipsEmptyPieces;
   itk::MedialVoxelGrid                                          m_Grid;
   itk::MedialVoxelEngineSettings                                m_Settings;

@@ -190,18 +190,12 @@ PieceLoop::RunRange(PieceEngine & engine, const PieceRange & range, const PieceR
     throw StoppedBySignal(GetStopSignal());
   }
   this->RecordPiece(engine, range, SecondsSince(start), results.sums.recomputedVoxels);
-  const auto computed = JobClock::now();
   writer.Submit([range, parts = results.parts, voxelsPerSlice = m_VoxelsPerSlice] {
     for (const PieceResults::Part & part : parts)
     {
       WriteSpan(part, range, voxelsPerSlice);
     }
   });
-  m_Sink.Record({ LogLevel::Debug,
-                  "write",
-                  { { "of", engine.GetName() },
-                    { "slices", FormatSlices(range.slices) },
-                    { "seconds_waited", FormatFixed(SecondsSince(computed), 3) } } });
   // A single engine uses the memory of its results again, which is much cheaper than new memory for each piece.
   if (m_EnginesPerPiece > 1)
   {

@@ -22,7 +22,7 @@ MakeSharedVolume(const std::filesystem::path & fileName, const JobOptions & opti
 std::unique_ptr<VoxelOutput>
 MakeVoxelOutput(const std::filesystem::path & fileName, const JobOptions & options)
 {
-  if (IsPackedVolume(fileName, options.compress))
+  if (IsPackedVolume(fileName, options.compression))
   {
     return std::make_unique<PackedVolume>(fileName, options.overwrite);
   }

@@ -40,7 +40,7 @@ DescribeRawVolume(const std::filesystem::path & fileName, const RawDescription &
   header.dataOffset = raw.headerSize;
 
   const size_t dimension = raw.size.size();
-  header.geometry.spacing = raw.spacing.empty() ? std::vector<double>(dimension, 1.0) : raw.spacing;
+  header.geometry.spacing.assign(dimension, 1.0);
   header.geometry.origin.assign(dimension, 0.0);
   header.geometry.SetIdentityDirection();
   return header;
@@ -128,14 +128,14 @@ ReplaceSpacing(VolumeHeader & header, const std::vector<double> & spacing)
 
 /** A typing error is no fault of the file. */
 void
-CheckTypedSpacing(const VolumeHeader & header, const char * option)
+CheckTypedSpacing(const VolumeHeader & header)
 {
   const VolumeGeometry &    geometry = header.geometry;
   const std::vector<double> origin(geometry.size.size(), 0.0);
   const std::string         problem = itk::MedialVoxelGridLimits::FindProblem(geometry.size, geometry.spacing, origin);
   if (!problem.empty())
   {
-    Fail(ExitStatus::Usage, option, " is ", FormatNumbers(geometry.spacing, ","), ": ", problem);
+    Fail(ExitStatus::Usage, "--spacing is ", FormatNumbers(geometry.spacing, ","), ": ", problem);
   }
 }
 
@@ -157,6 +157,13 @@ CheckDataSize(const VolumeHeader & header)
   {
     return;
   }
+  std::string remedy;
+  if (header.format == &GetRawFormat() && header.dataFileSize > dataSize)
+  {
+    const std::string bytes = std::to_string(header.dataFileSize - dataSize);
+    remedy = "; a header of " + bytes + " bytes would fit, --raw-type " + GetTraits(header.pixelType).name + ":" +
+             bytes + (header.bigEndian ? ":big" : "");
+  }
   Fail(ExitStatus::CorruptInput,
        header.dataFile.string(),
        " has ",
@@ -168,7 +175,8 @@ CheckDataSize(const VolumeHeader & header)
        header.compressed ? " cannot be packed into what follows " : " need ",
        header.compressed ? "" : std::to_string(dataSize) + " after ",
        header.dataOffset,
-       header.compressed ? " bytes of header" : (exact ? " bytes of header, no more and no less" : " bytes of header"));
+       exact ? " bytes of header, no more and no less" : " bytes of header",
+       remedy);
 }
 
 /** "DICOM series UID, 108 files, a to b" */
@@ -214,11 +222,7 @@ try
   if (!spacing.empty())
   {
     ReplaceSpacing(header, spacing);
-    CheckTypedSpacing(header, "--spacing");
-  }
-  else if (raw && !raw->spacing.empty())
-  {
-    CheckTypedSpacing(header, "--raw-spacing");
+    CheckTypedSpacing(header);
   }
   CheckDataSize(header);
   CheckGeometry(header);
@@ -251,7 +255,7 @@ VolumeHeader
 ReadSheetInputHeader(const JobOptions & options)
 {
   const VolumeHeader header = ReadInputHeader(options);
-  if (options.resample || itk::MedialVoxelGridLimits::FindInaccuracy(GetGrid(options, header)).empty())
+  if (options.resample || itk::MedialVoxelGridLimits::FindInaccuracy(GetGrid(header)).empty())
   {
     return header;
   }

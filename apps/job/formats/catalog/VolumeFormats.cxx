@@ -279,30 +279,54 @@ ListOutputExtensions(unsigned int components)
 }
 
 bool
-IsPackedVolume(const std::filesystem::path & fileName, bool compress)
+IsPackedVolume(const std::filesystem::path & fileName, Compression compression)
 {
   const VolumeExtension & extension = FindOutputFormat(fileName).extension;
-  return extension.isPacked || (compress && extension.canPack);
+  const bool              isWanted = compression == Compression::On || compression == Compression::Gzip;
+  return extension.isPacked || (isWanted && extension.canPack);
 }
 
 bool
 IsPackedInAnyWay(const std::filesystem::path & fileName, const JobOptions & options)
 {
   const bool packsChunks = FindOutputFormat(fileName).format.writer->packsChunks;
-  return IsPackedVolume(fileName, options.compress) ||
-         (packsChunks && options.zarrCompression != ZarrCompression::None);
+  return IsPackedVolume(fileName, options.compression) ||
+         (packsChunks && GetZarrCompression(options.compression) != ZarrCompression::None);
+}
+
+/** How volumes of a format can be packed. */
+static std::vector<Compression>
+ListCompressions(const VolumeWriter & writer, const VolumeExtension & extension)
+{
+  const bool               packs = extension.canPack || writer.packsChunks;
+  std::vector<Compression> list;
+  packs ? list.push_back(Compression::On) : void();
+  packs && !writer.packsAsZlib ? list.push_back(Compression::Gzip) : void();
+  writer.packsChunks ? list.push_back(Compression::BloscZstd) : void();
+  !extension.isPacked ? list.push_back(Compression::None) : void();
+  return list;
 }
 
 void
 CheckOutputFormat(const std::filesystem::path & fileName,
                   const VolumeGeometry &        geometry,
                   const VoxelLayout &           layout,
-                  bool                          compress)
+                  Compression                   compression)
 {
   const auto [format, extension] = FindOutputFormat(fileName);
-  if (compress && !extension.canPack && *extension.remedy != '\0')
+  const std::vector<Compression> known = ListCompressions(*format.writer, extension);
+  if (compression != Compression::Default && std::find(known.begin(), known.end(), compression) == known.end())
   {
-    Fail(ExitStatus::Usage, fileName.string(), " cannot be packed: ", extension.remedy);
+    Fail(ExitStatus::Usage,
+         fileName.string(),
+         ": --compress ",
+         GetName(compression),
+         " is not for ",
+         extension.text,
+         ", which has ",
+         Join(known, " or ", [](Compression one) { return GetName(one); }),
+         *extension.remedy != '\0' ? "; " : "",
+         extension.remedy);
   }
   if (layout.components > 1 && !format.writer->hasComponents)
   {
@@ -334,7 +358,7 @@ GetOutputMemory(const std::filesystem::path & fileName,
                 const JobOptions &            options)
 {
   const VolumeWriter & writer = *FindOutputFormat(fileName).format.writer;
-  return (IsPackedVolume(fileName, options.compress) ? PackedVolume::GetMemory() : 0) +
+  return (IsPackedVolume(fileName, options.compression) ? PackedVolume::GetMemory() : 0) +
          (writer.getMemory ? writer.getMemory(geometry, layout, options) : 0);
 }
 

@@ -38,10 +38,10 @@ FindOutputFormat(const std::filesystem::path & fileName);
 std::vector<std::string>
 ListInputExtensions();
 
-/** True for a volume whose file is packed as a whole: by its extension, or when \a compress asks for it and the format
- * has it. The chunks of Zarr folders are another matter. */
+/** True for a volume whose file is packed as a whole: by its extension, or when \a compression asks for it and the
+ * format has it. The chunks of Zarr folders are another matter. */
 bool
-IsPackedVolume(const std::filesystem::path & fileName, bool compress);
+IsPackedVolume(const std::filesystem::path & fileName, Compression compression);
 
 /** The same, or in chunks: how many bytes it will have is not known. */
 bool
@@ -52,7 +52,7 @@ void
 CheckOutputFormat(const std::filesystem::path & fileName,
                   const VolumeGeometry &        geometry,
                   const VoxelLayout &           layout,
-                  bool                          compress);
+                  Compression                   compression);
 
 /** Memory that writing a volume takes beside the results of a piece. */
 std::uint64_t

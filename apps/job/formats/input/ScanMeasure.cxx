@@ -19,8 +19,7 @@ FindWallMeasure(InputVolume &          input,
   }
   const auto range = GetGrayRange(options, header);
   auto &     object = dynamic_cast<itk::MedialVoxelObjectInput &>(input.GetInput());
-  const auto result =
-    object.SurveyScan(GetGrid(options, header), range.lower, range.upper, options.materials, observer);
+  const auto result = object.SurveyScan(GetGrid(header), range.lower, range.upper, options.materials, observer);
   if (!result.scan && !options.uncertaintyFile.empty())
   {
     Fail(ExitStatus::Refused,

@@ -3,7 +3,7 @@
 #ifndef medialvoxelZarrCodecs_h
 #define medialvoxelZarrCodecs_h
 
-#include "ZarrCompression.h"
+#include "Compression.h"
 
 #include <cstdint>
 #include <optional>

@@ -382,11 +382,12 @@ MakeZarrFormat()
   input.isFolder = IsZarrFolder;
   VolumeWriter writer;
   writer.makeFolder = [](const Path & folder, const JobOptions & options) -> std::unique_ptr<SharedVolume> {
-    return std::make_unique<ZarrVolume>(folder, options.overwrite, options.sparse, options.zarrCompression);
+    return std::make_unique<ZarrVolume>(
+      folder, options.overwrite, options.sparse, GetZarrCompression(options.compression));
   };
   writer.packsChunks = true;
   writer.getMemory = [](const VolumeGeometry & geometry, const VoxelLayout & layout, const JobOptions & options) {
-    return ZarrVolume::GetMemory(geometry, layout, options.zarrCompression);
+    return ZarrVolume::GetMemory(geometry, layout, GetZarrCompression(options.compression));
   };
   writer.getSlicesOfLayer = [](const VolumeGeometry & geometry, const VoxelLayout & layout) {
     return ZarrGrid::ForVolume(geometry, layout).chunk[2];
