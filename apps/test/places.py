@@ -13,7 +13,9 @@ def read_places(path):
     def convert(name, text):
         if name == "kind":
             return text
-        return int(text) if name in ("place", "cells") or name.startswith(("index_", "first_", "last_")) else float(text)
+        if name == "uncertainty":
+            return float(text) if text else None
+        return int(text) if name in ("place", "cells", "at_edge") or name.startswith(("index_", "first_", "last_")) else float(text)
 
     with open(path, newline="", encoding="ascii") as file:
         return [{name: convert(name, text) for name, text in row.items()} for row in csv.DictReader(file)]

@@ -4,6 +4,7 @@
 
 import csv
 import json
+import math
 import pathlib
 import re
 import unittest
@@ -94,15 +95,34 @@ class OneAnswerTest(ProgramTestCase):
     def test_a_map_and_its_places_agree(self):
         volumes.write_meta(self.folder / "in.mha", volumes.blurred_wall())
         run = ["--lower", 1000, "--thickness-map", "t.mha", "--thin-below", "4.3,4.5", "--places", "p.csv", "--overwrite"]
-        self.run_program("extract", "in.mha", "l.mha", *run)
+        self.run_program("extract", "in.mha", "l.mha", *run, "--report", "r.json")
         thinnest = min(value for value in volumes.read_floats(self.folder / "t.mha") if value > 0)
         rows = list(csv.DictReader((self.folder / "p.csv").read_text().splitlines()))
         self.assertAlmostEqual(min(float(row["minimum"]) for row in rows), thinnest, places=5)
+        report = json.loads((self.folder / "r.json").read_text("utf-8"))
+        self.assertEqual(report["thickness"]["thinnest"]["thickness"], thinnest)
+        self.assertEqual(report["places"]["thin"]["worst"], thinnest)
 
     @unittest.skipUnless(DATA.exists(), "needs the real volumes beside the repository")
     def test_of_a_real_scan(self):
         _, _, measure = self.assert_one_answer(DATA / "shell.nrrd", "--lower", 65)
         self.assertEqual(measure["on"], "fits")
+
+    @unittest.skipUnless(DATA.exists(), "needs the real volumes beside the repository")
+    def test_uncertainties_of_places_are_those_of_the_map(self):
+        files = ["--thickness-map", "t.mha", "--uncertainty-map", "u.mha", "--report", "r.json"]
+        self.run_program("extract", DATA / "shell.nrrd", "--lower", 65, "--thin-below", 3, *files)
+        width, height, _ = map(int, volumes.read_header(self.folder / "u.mha")[0]["DimSize"].split())
+        thicknesses, uncertainties = (volumes.read_floats(self.folder / name) for name in ("t.mha", "u.mha"))
+        report = json.loads((self.folder / "r.json").read_text("utf-8"))
+        places = report["places"]["thin"]["places"]
+        self.assertGreater(len(places), 3)
+        for wall in (report["thickness"]["thinnest"], *places):
+            x, y, z = wall["index"]
+            cell = (z * height + y) * width + x
+            self.assertEqual(wall.get("minimum", wall.get("thickness")), thicknesses[cell])
+            expected = None if math.isnan(uncertainties[cell]) else uncertainties[cell]
+            self.assertEqual(wall["uncertainty"], expected)
 
 
 if __name__ == "__main__":

@@ -128,6 +128,9 @@ class PlacesTest(ProgramTestCase):
             self.assertTrue(is_background(index))
             nearest = (min(squared(corner, other) for other in around) for corner in corners)
             self.assertTrue(any(squared(corner, index) <= n + 1e-9 for corner, n in zip(corners, nearest)), row)
+        voxels = [cell, [c + 1 for c in cell], *([round(p / s) for p, s in zip(point, part.spacing)] for point in points)]
+        outermost = any(i in (0, n - 1) for voxel in voxels for i, n in zip(voxel, part.size))
+        self.assertEqual(row["at_edge"], int(outermost))
 
     def test_places_are_those_of_the_map(self):
         found = 0

@@ -97,6 +97,10 @@ class ThicknessTest(ProgramTestCase):
         self.assertIsNone(told["standard_error"])
         walls = [value for value in values if value > 0]
         self.assertEqual((told["minimum"], told["maximum"]), (min(walls), max(walls)))
+        thinnest = told["thinnest"]
+        columns, lines, _ = map(int, volumes.read_header(self.folder / "t.mha")[0]["DimSize"].split())
+        x, y, z = thinnest["index"]
+        self.assertEqual((thinnest["thickness"], (z * lines + y) * columns + x), (min(walls), values.index(min(walls))))
 
         histogram = told["histogram"]
         wide = round(histogram["bin_width"] / width)

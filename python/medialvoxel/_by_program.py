@@ -95,7 +95,16 @@ def _read_place(row: dict[str, str], axes: str) -> Place:
     numbers = {name: float(row[name]) for name in ("area", "area_beyond_limit", "minimum", "mean", "maximum")}
     sides = (point("side_a_"), point("side_b_"))
     indices = {name: index(f"{name}_") for name in ("index", "first", "last")}
-    return Place(cells=int(row["cells"]), center=point(""), sides=sides, **numbers, **indices)
+    uncertainty = float(row["uncertainty"]) if row["uncertainty"] else None
+    return Place(
+        cells=int(row["cells"]),
+        center=point(""),
+        sides=sides,
+        uncertainty=uncertainty,
+        at_edge=row["at_edge"] == "1",
+        **numbers,
+        **indices,
+    )
 
 
 @describe

@@ -200,6 +200,10 @@ class Place:
         Positions of the nearest voxels of the background on both sides of the wall there.
     first, last : tuple[int, ...]
         Smallest and largest index of the cells along each axis.
+    uncertainty : float | None
+        Half of the 95 % interval of the minimum; None: not known.
+    at_edge : bool
+        Whether the wall there reaches the edge of the array, so that a part of it may be missing.
     """
 
     area: float
@@ -213,6 +217,8 @@ class Place:
     sides: tuple[tuple[float, ...], tuple[float, ...]]
     first: tuple[int, ...]
     last: tuple[int, ...]
+    uncertainty: float | None
+    at_edge: bool
 
 
 @dataclasses.dataclass(frozen=True)
@@ -231,6 +237,8 @@ class Places:
         Of all of them.
     share_of_sheet : float
         `area_beyond_limit`, of the area of the sheet.
+    worst : float | None
+        Thickness of the thinnest listed place; None without places.
     smaller : int
         Places that are left out because they are smaller.
     places : list[Place]
@@ -245,6 +253,7 @@ class Places:
     area: float
     area_beyond_limit: float
     share_of_sheet: float
+    worst: float | None
     smaller: int
     places: list[Place]
 

@@ -40,7 +40,8 @@ class ByProgram(Folder):
                     if name != "places":
                         self.assertEqual(getattr(found, name), value)
                 for place, row in zip(found.places, expected["places"]):
-                    self.assertEqual((place.area, place.cells, place.minimum), (row["area"], row["cells"], row["minimum"]))
+                    for name in ("area", "cells", "minimum", "uncertainty", "at_edge"):
+                        self.assertEqual(getattr(place, name), row[name])
                     for name in ("center", "index", "first", "last"):
                         self.assertEqual(list(getattr(place, name)), row[name][::-1])
                     self.assertEqual([list(side) for side in place.sides], [side[::-1] for side in row["sides"]])

@@ -38,25 +38,32 @@ struct PlaceLimits
   }
 };
 
-/** Connected medial cells whose walls are too thin or too thick. Points are in physical space, indices count cells;
- * axes that the image lacks are 0. */
-struct WallPlace
+/** The wall at a medial cell. Points are in physical space, indices count cells; axes that the image lacks are 0. */
+struct WallLocation
 {
   using Point = std::array<double, 3>;
   using Index = std::array<std::int64_t, 3>;
 
+  double                thickness{ 0.0 };
+  std::optional<double> uncertainty;       ///< half of the 95 % interval; unset where it is not known
+  Point                 center{};          ///< of the cell
+  Index                 index{};           ///< of the cell
+  Point                 sideA{};           ///< center of the boundary voxel on one side of the wall
+  Point                 sideB{};           ///< of that on the other side
+  bool                  isAtEdge{ false }; ///< a voxel of the cell or of the sides is an outermost one of the volume
+};
+
+/** Connected medial cells whose walls are too thin or too thick; where the thinnest, or the thickest one is. */
+struct WallPlace : WallLocation
+{
   std::uint64_t cells{ 0 };
   double        area{ 0.0 };       ///< of the mid-surface, in squared units of the job's lengths; 2-D: a length
   double        areaBeyond{ 0.0 }; ///< of the cells beyond the limit
   double        minimum{ 0.0 };
   double        mean{ 0.0 }; ///< every cell counts the same
   double        maximum{ 0.0 };
-  Point         center{}; ///< of the cell with the minimum, where walls are thick with the maximum
-  Index         index{};  ///< of that cell
-  Point         sideA{};  ///< center of the boundary voxel on one side of the wall at that cell
-  Point         sideB{};  ///< of that on the other side
-  Index         first{};  ///< smallest index of the cells along each axis
-  Index         last{};   ///< largest one
+  Index         first{}; ///< smallest index of the cells along each axis
+  Index         last{};  ///< largest one
 };
 
 /** All places of a kind. */

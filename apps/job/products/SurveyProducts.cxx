@@ -66,6 +66,10 @@ public:
   Describe(JobResult & result) override
   {
     result.thickness = MakeThickness(m_Survey->GetSums(), *m_Survey);
+    const auto thinnest = m_Survey->FindThinnest();
+    const bool isWhole = m_Survey->GetSample().GetStep() == 1;
+    result.thickness["thinnest"] =
+      thinnest && isWhole ? LocationToJson(*thinnest, m_Survey->GetDimension()) : Json(nullptr);
     result.uncertainty = MakeUncertainty(m_Survey->GetSums());
   }
 

@@ -126,7 +126,11 @@ FormatColor(const Values & values)
 std::string
 DescribeUnit(const Json & result)
 {
-  return result["input"]["unit"].is_null() ? "units of the spacing" : "mm";
+  const Json & input = result["input"];
+  const Json   spacing = input.value("spacing", Json::array());
+  const bool   isOne = !spacing.empty() && std::count(spacing.begin(), spacing.end(), Json(1.0)) ==
+                                           static_cast<std::ptrdiff_t>(spacing.size());
+  return !input["unit"].is_null() ? "mm" : isOne ? "voxels" : "units of the spacing";
 }
 
 struct Format

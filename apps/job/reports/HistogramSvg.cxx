@@ -75,8 +75,8 @@ public:
       const double height = std::max(0.5, (Height - Top - Bottom) * m_Areas[bin] / highest);
       m_Text << "<rect class=\"bar\" x=\"" << Coordinate(this->GetX(middle) - 0.46 * width) << "\" y=\""
              << Coordinate(Height - Bottom - height) << "\" width=\"" << Coordinate(0.92 * width) << "\" height=\""
-             << Coordinate(height) << "\"><title>" << FormatNumber(middle) << ": area " << FormatShort(m_Areas[bin])
-             << "</title></rect>\n";
+             << Coordinate(height) << "\"><title>" << FormatNumber(middle - m_BinWidth / 2) << " to "
+             << FormatNumber(middle + m_BinWidth / 2) << ": area " << FormatShort(m_Areas[bin]) << "</title></rect>\n";
     }
   }
 

@@ -33,17 +33,13 @@ ToJson(const TArray & values, unsigned int dimension)
 Json
 PlaceToJson(const WallPlace & place, unsigned int dimension)
 {
-  return { { "area", place.area },
-           { "area_beyond_limit", place.areaBeyond },
-           { "cells", place.cells },
-           { "minimum", place.minimum },
-           { "mean", place.mean },
-           { "maximum", place.maximum },
-           { "center", ToJson(place.center, dimension) },
-           { "index", ToJson(place.index, dimension) },
-           { "sides", { ToJson(place.sideA, dimension), ToJson(place.sideB, dimension) } },
-           { "first", ToJson(place.first, dimension) },
-           { "last", ToJson(place.last, dimension) } };
+  Json json{ { "area", place.area },   { "area_beyond_limit", place.areaBeyond },
+             { "cells", place.cells }, { "minimum", place.minimum },
+             { "mean", place.mean },   { "maximum", place.maximum } };
+  json.update(LocationToJson(place, dimension));
+  json.erase("thickness"); // the minimum, or the maximum
+  json.update(Json{ { "first", ToJson(place.first, dimension) }, { "last", ToJson(place.last, dimension) } });
+  return json;
 }
 
 Json
@@ -54,6 +50,10 @@ SummaryToJson(const PlaceSummary & summary)
   {
     places.push_back(PlaceToJson(summary.places[i], summary.dimension));
   }
+  const auto worst =
+    std::min_element(summary.places.begin(), summary.places.end(), [&](const WallPlace & a, const WallPlace & b) {
+      return summary.kind == PlaceKind::Thin ? a.thickness < b.thickness : a.thickness > b.thickness;
+    });
   return { { "limit", summary.limit },
            { "grow_limit", summary.growLimit },
            { "min_place_area", summary.minimumPlaceArea },
@@ -61,6 +61,7 @@ SummaryToJson(const PlaceSummary & summary)
            { "cells", summary.cells },
            { "area", summary.area },
            { "area_beyond_limit", summary.areaBeyond },
+           { "worst", worst == summary.places.end() ? Json(nullptr) : Json(worst->thickness) },
            { "smaller", summary.smaller },
            { "places", places } };
 }
@@ -79,6 +80,17 @@ ForEachAxis(const unsigned int dimension, const std::string & before, const std:
 
 } // namespace
 
+Json
+LocationToJson(const WallLocation & wall, unsigned int dimension)
+{
+  return { { "thickness", wall.thickness },
+           { "uncertainty", wall.uncertainty ? Json(*wall.uncertainty) : Json(nullptr) },
+           { "center", ToJson(wall.center, dimension) },
+           { "index", ToJson(wall.index, dimension) },
+           { "sides", { ToJson(wall.sideA, dimension), ToJson(wall.sideB, dimension) } },
+           { "at_edge", wall.isAtEdge } };
+}
+
 std::string
 MakePlacesCsv(const std::vector<PlaceSummary> & summaries)
 {
@@ -95,7 +107,8 @@ MakePlacesCsv(const std::vector<PlaceSummary> & summaries)
     text += ForEachAxis(dimension, name, { "x", "y", "z" });
     row += ForEachAxis(dimension, "{" + std::string(path) + ".", { "0}", "1}", "2}" });
   }
-  text += '\n';
+  text += ",uncertainty,at_edge\n";
+  row += ",[uncertainty?{uncertainty}],[at_edge?1][!at_edge?0]";
   const std::size_t rows =
     std::accumulate(summaries.begin(), summaries.end(), std::size_t{ 1 }, [](std::size_t sum, const auto & summary) {
       return sum + summary.places.size();

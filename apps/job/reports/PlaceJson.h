@@ -12,6 +12,10 @@
 namespace medialvoxel
 {
 
+/** The keys of a wall in a report. */
+Json
+LocationToJson(const WallLocation & wall, unsigned int dimension);
+
 /** All listed places as comma-separated values, thin ones first. */
 std::string
 MakePlacesCsv(const std::vector<PlaceSummary> & summaries);

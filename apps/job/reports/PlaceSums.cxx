@@ -25,16 +25,88 @@ Exchange(TSums & sums, TNumbers & numbers)
   {
     numbers.Exchange(sums.first[axis]);
     numbers.Exchange(sums.last[axis]);
-    numbers.Exchange(sums.worst.a[axis]);
-    numbers.Exchange(sums.worst.b[axis]);
   }
-  numbers.Exchange(sums.worst.key);
-  numbers.Exchange(sums.worst.thickness);
-  numbers.Exchange(sums.worst.area);
+  PlaceCell::Exchange(sums.worst, numbers);
   numbers.Exchange(sums.hasBegun);
 }
 
+PlaceStep
+GetStep(const itk::MedialVoxelIndex & from, const itk::MedialVoxelIndex & to)
+{
+  PlaceStep step{};
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    step[axis] = static_cast<std::int32_t>(to[axis] - from[axis]);
+  }
+  return step;
+}
+
+/** \param shift voxels along each axis that is longer than one voxel, as cells have it */
+WallLocation::Point
+GetPoint(const VolumeGeometry & geometry, const itk::MedialVoxelIndex & index, const PlaceStep & step, double shift)
+{
+  WallLocation::Point point{};
+  for (unsigned int row = 0; row < geometry.GetDimension(); ++row)
+  {
+    point[row] = geometry.origin[row];
+    for (unsigned int axis = 0; axis < geometry.GetDimension(); ++axis)
+    {
+      const double voxels = static_cast<double>(index[axis] + step[axis]) + (geometry.size[axis] > 1 ? shift : 0.0);
+      point[row] += geometry.direction[axis][row] * geometry.spacing[axis] * voxels;
+    }
+  }
+  return point;
+}
+
+/** Whether a voxel is an outermost one of the volume. */
+bool
+IsOutermost(const VolumeGeometry & geometry, const itk::MedialVoxelIndex & index, const PlaceStep & step)
+{
+  for (unsigned int axis = 0; axis < geometry.GetDimension(); ++axis)
+  {
+    const std::int64_t voxel = index[axis] + step[axis];
+    if (geometry.size[axis] > 1 && (voxel == 0 || voxel + 1 == static_cast<std::int64_t>(geometry.size[axis])))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 } // namespace
+
+void
+TakeSides(PlaceCell & cell, const itk::MedialVoxelClassifiedTile & tile, const itk::MedialVoxelIndex & index)
+{
+  itk::MedialVoxelWallPoints points;
+  if (tile.classifier.GetWallPoints(tile.features, index, points))
+  {
+    cell.a = GetStep(index, points.a);
+    cell.b = GetStep(index, points.b);
+  }
+}
+
+WallLocation
+LocateWall(const PlaceCell & cell, const PlaceGrid & grid, const VolumeGeometry & geometry)
+{
+  constexpr double            halfVoxel = 0.5;
+  const itk::MedialVoxelIndex index = grid.GetCell(cell.key);
+  WallLocation                wall;
+  wall.thickness = static_cast<double>(cell.thickness);
+  if (!std::isnan(cell.uncertainty))
+  {
+    wall.uncertainty = static_cast<double>(cell.uncertainty);
+  }
+  wall.center = GetPoint(geometry, index, {}, halfVoxel);
+  wall.sideA = GetPoint(geometry, index, cell.a, 0.0);
+  wall.sideB = GetPoint(geometry, index, cell.b, 0.0);
+  for (const PlaceStep & step : { PlaceStep{}, PlaceStep{ { 1, 1, 1 } }, cell.a, cell.b })
+  {
+    wall.isAtEdge = wall.isAtEdge || IsOutermost(geometry, index, step);
+  }
+  std::copy(index.begin(), index.end(), wall.index.begin());
+  return wall;
+}
 
 void
 PlaceSums::Add(const PlaceCell & cell, const PlaceRule & rule, const PlaceGrid & grid)
@@ -81,9 +153,7 @@ PlaceSums::Add(const PlaceSums & other, const PlaceRule & rule)
 void
 PlaceSums::TakeWorst(const PlaceCell & cell, const PlaceRule & rule)
 {
-  const bool isWorse =
-    rule.kind == PlaceKind::Thin ? cell.thickness < worst.thickness : cell.thickness > worst.thickness;
-  if (cells == 0 || isWorse || (cell.thickness == worst.thickness && cell.key < worst.key))
+  if (cells == 0 || cell.IsWorse(worst, rule.kind))
   {
     worst = cell;
   }

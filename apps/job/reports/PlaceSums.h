@@ -5,8 +5,10 @@
 
 #include "PackedNumbers.h"
 #include "PlaceSummary.h"
+#include "VolumeHeader.h"
 
 #include "itkMedialVoxelBits.h"
+#include "itkMedialVoxelTileObserver.h"
 
 #include <array>
 #include <cstdint>
@@ -130,7 +132,39 @@ struct PlaceCell
   std::uint32_t area{ 0 }; ///< in units of area
   PlaceStep     a{};       ///< to the boundary voxel on one side; of cells that begin places
   PlaceStep     b{};       ///< to that on the other side
+  float         uncertainty{ std::numeric_limits<float>::quiet_NaN() }; ///< half of the 95 % interval
+
+  /** Whether it is farther in the direction of a kind; of equal ones that with the smaller key. */
+  bool
+  IsWorse(const PlaceCell & other, const PlaceKind kind) const
+  {
+    return thickness != other.thickness ? (kind == PlaceKind::Thin) == (thickness < other.thickness) : key < other.key;
+  }
+
+  /** The members that other processes get. */
+  template <typename TCell, typename TNumbers>
+  static void
+  Exchange(TCell & cell, TNumbers & numbers)
+  {
+    numbers.Exchange(cell.key);
+    numbers.Exchange(cell.thickness);
+    numbers.Exchange(cell.area);
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      numbers.Exchange(cell.a[axis]);
+      numbers.Exchange(cell.b[axis]);
+    }
+    numbers.Exchange(cell.uncertainty);
+  }
 };
+
+/** Steps to the boundary voxels on both sides of a cell's wall; none where they are not known. */
+void
+TakeSides(PlaceCell & cell, const itk::MedialVoxelClassifiedTile & tile, const itk::MedialVoxelIndex & index);
+
+/** Where the wall of a cell is. */
+WallLocation
+LocateWall(const PlaceCell & cell, const PlaceGrid & grid, const VolumeGeometry & geometry);
 
 /** \class PlaceSums
  * \brief Sums over connected cells. */

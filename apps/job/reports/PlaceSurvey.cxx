@@ -46,17 +46,6 @@ GetMostPlaces(const VolumeGeometry & geometry, const PlaceLimits & limits)
   return std::min<std::uint64_t>(places, PlaceList::MostPlaces);
 }
 
-PlaceStep
-GetStep(const itk::MedialVoxelIndex & from, const itk::MedialVoxelIndex & to)
-{
-  PlaceStep step{};
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    step[axis] = static_cast<std::int32_t>(to[axis] - from[axis]);
-  }
-  return step;
-}
-
 } // namespace
 
 PlaceMemoryError::PlaceMemoryError(std::uint64_t allowedBytes)
@@ -108,9 +97,8 @@ PlaceSurvey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace *)
 {
   for (Search & search : m_Searches)
   {
-    const PlaceRule &          rule = search.joiner.GetRule();
-    std::vector<PlaceCell>     cells;
-    itk::MedialVoxelWallPoints points;
+    const PlaceRule &      rule = search.joiner.GetRule();
+    std::vector<PlaceCell> cells;
     itk::MedialVoxelForEachWall(tile.rows, tile.walls, [&](const auto & index, const auto & wall) {
       if (!wall.IsMeasured() || !rule.Grows(wall.thickness))
       {
@@ -118,10 +106,10 @@ PlaceSurvey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace *)
       }
       PlaceCell cell{ m_Grid.GetKey(index), wall.thickness };
       cell.area = static_cast<std::uint32_t>(std::llround(static_cast<double>(wall.area) / m_AreaUnit));
-      if (rule.Begins(wall.thickness) && tile.classifier.GetWallPoints(tile.features, index, points))
+      cell.uncertainty = wall.uncertainty;
+      if (rule.Begins(wall.thickness))
       {
-        cell.a = GetStep(index, points.a);
-        cell.b = GetStep(index, points.b);
+        TakeSides(cell, tile, index);
       }
       cells.push_back(cell);
     });
@@ -218,42 +206,19 @@ PlaceSurvey::Summarize() const
 WallPlace
 PlaceSurvey::Describe(const PlaceSums & sums, double lengthUnit) const
 {
-  constexpr double            halfVoxel = 0.5;
-  const itk::MedialVoxelIndex worst = m_Grid.GetCell(sums.worst.key);
-  WallPlace                   place;
+  WallPlace place{ LocateWall(sums.worst, m_Grid, m_Geometry) };
   place.cells = sums.cells;
   place.area = static_cast<double>(sums.area) * m_AreaUnit;
   place.areaBeyond = static_cast<double>(sums.areaBeyond) * m_AreaUnit;
   place.minimum = static_cast<double>(sums.minimum);
   place.mean = static_cast<double>(sums.thickness) * lengthUnit / static_cast<double>(sums.cells);
   place.maximum = static_cast<double>(sums.maximum);
-  place.center = this->GetPoint(worst, {}, halfVoxel);
-  place.sideA = this->GetPoint(worst, sums.worst.a, 0.0);
-  place.sideB = this->GetPoint(worst, sums.worst.b, 0.0);
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    place.index[axis] = worst[axis];
     place.first[axis] = sums.first[axis];
     place.last[axis] = sums.last[axis];
   }
   return place;
-}
-
-/** \param shift voxels along each axis that is longer than one voxel, as cells have it */
-WallPlace::Point
-PlaceSurvey::GetPoint(const itk::MedialVoxelIndex & index, const PlaceStep & step, double shift) const
-{
-  WallPlace::Point point{};
-  for (unsigned int row = 0; row < m_Geometry.GetDimension(); ++row)
-  {
-    point[row] = m_Geometry.origin[row];
-    for (unsigned int axis = 0; axis < m_Geometry.GetDimension(); ++axis)
-    {
-      const double voxels = static_cast<double>(index[axis] + step[axis]) + (m_Geometry.size[axis] > 1 ? shift : 0.0);
-      point[row] += m_Geometry.direction[axis][row] * m_Geometry.spacing[axis] * voxels;
-    }
-  }
-  return point;
 }
 
 ProductFootprint

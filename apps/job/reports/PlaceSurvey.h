@@ -115,9 +115,6 @@ private:
   WallPlace
   Describe(const PlaceSums & sums, double lengthUnit) const;
 
-  WallPlace::Point
-  GetPoint(const itk::MedialVoxelIndex & index, const PlaceStep & step, double shift) const;
-
   VolumeGeometry      m_Geometry;
   PlaceGrid           m_Grid;
   double              m_AreaUnit;

@@ -19,6 +19,12 @@ const char * const MeasureText =
 namespace
 {
 
+/** Where the thinnest wall is. */
+constexpr const char * ThinnestText =
+  "at [thickness.thinnest.center:[!#=1?, ]{short .}], cell [thickness.thinnest.index:[!#=1?, ]{.}]; "
+  "[thickness.thinnest.uncertainty?± {short thickness.thinnest.uncertainty} (95 %)]"
+  "[!thickness.thinnest.uncertainty?uncertainty not known][thickness.thinnest.at_edge?, at the edge of the volume]";
+
 constexpr unsigned int Tables = ExtractTable | SurfaceTable | DistanceTable;
 constexpr unsigned int PartTables = ExtractTable | SurfaceTable;
 
@@ -53,8 +59,9 @@ OfPlaces(const std::string & kind, const std::string & side, const std::string &
 {
   const std::string path = "places." + kind;
   return "{" + path + ".number}, area {short " + path + ".area_beyond_limit} " + side + " {short " + path +
-         ".limit}, {percent " + path + ".share_of_sheet} of the sheet[" + path + ".places?, the largest {short " +
-         path + ".places.0.area_beyond_limit} with " + extreme + " {short " + path + ".places.0." + extreme + "}]";
+         ".limit}, {percent " + path + ".share_of_sheet} of the sheet[" + path + ".worst?; the " + extreme +
+         " {short " + path + ".worst}, the largest {short " + path + ".places.0.area_beyond_limit}][" + path +
+         ".smaller>0?; {" + path + ".smaller} smaller ones left out]";
 }
 
 } // namespace
@@ -75,7 +82,10 @@ ListViewRows()
     { PageInput, "", "type", "{input.type}" },
 
     { PageParameters, "", "thickness (tau)", "{parameters.thickness}" },
-    { PageParameters, "parameters.max_thickness", "minimum thickness", "{short parameters.min_thickness}" },
+    { PageParameters,
+      "parameters.max_thickness",
+      "walls count for the sheet as at least",
+      "{short parameters.min_thickness}" },
     { PageParameters,
       "parameters.max_thickness",
       "maximum thickness",
@@ -131,12 +141,13 @@ ListViewRows()
       "[thickness.minimum?thinnest {short thickness.minimum}, ]5 %: {short thickness.percentiles.5}, median {short "
       "thickness.percentiles.50}, 95 %: {short thickness.percentiles.95}[thickness.maximum?, thickest {short "
       "thickness.maximum}], in {unit}, by area" },
+    { ExtractTable, "thickness.thinnest", "  thinnest", ThinnestText },
     { ExtractTable,
       "thickness.mean",
       "  measured",
-      std::string(MeasureText) +
-        "[measure.uncertainty?; half of the walls within {short measure.uncertainty.percentiles.50} (95 %)]"
-        "[thickness.standard_error?; a sample, one of {thickness.one_cell_of}]" },
+      std::string(MeasureText) + "[measure.uncertainty?; uncertainty {short measure.uncertainty.percentiles.50} (half "
+                                 "of the 95 % interval, median)]"
+                                 "[thickness.standard_error?; a sample, one of {thickness.one_cell_of}]" },
     { LongTable,
       "thickness.mean",
       "  mean",
@@ -155,8 +166,8 @@ ListViewRows()
       "  uncertainty (95 %)",
       "median {short measure.uncertainty.percentiles.50}, 95 % of cells up to {short "
       "measure.uncertainty.percentiles.95}" },
-    { ExtractTable, "places.thin", "thin places", OfPlaces("thin", "below", "minimum") },
-    { ExtractTable, "places.thick", "thick places", OfPlaces("thick", "above", "maximum") },
+    { ExtractTable, "places.thin", "thin places", OfPlaces("thin", "below", "thinnest") },
+    { ExtractTable, "places.thick", "thick places", OfPlaces("thick", "above", "thickest") },
     { ExtractTable,
       "thickness.mean",
       "no wall",
@@ -167,11 +178,11 @@ ListViewRows()
     { PageThickness, "", "mean", "{short thickness.mean}" },
     { PageThickness,
       "places.thin",
-      "of the area below {short places.thin.limit}",
+      "of the area, in places below {short places.thin.limit}",
       "{percent places.thin.area_beyond_limit thickness.area thickness.one_cell_of}" },
     { PageThickness,
       "places.thick",
-      "of the area above {short places.thick.limit}",
+      "of the area, in places above {short places.thick.limit}",
       "{percent places.thick.area_beyond_limit thickness.area thickness.one_cell_of}" },
     { ExtractTable | PageLocalThickness,
       "local_thickness.mean",

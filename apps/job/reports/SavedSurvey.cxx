@@ -14,6 +14,7 @@ void
 Survey::Exchange(TSums & sums, TNumbers & numbers)
 {
   ThicknessSums::Exchange(sums.thickness, numbers);
+  PlaceCell::Exchange(sums.thinnest, numbers);
   for (auto & slices : sums.slices)
   {
     numbers.ExchangeSize(slices.size());
@@ -54,7 +55,7 @@ Survey::Merge(const std::string & bytes)
 {
   // No more than ten bytes for a number, and as many numbers as a survey of this size can have.
   constexpr std::uint64_t mostBins = std::uint64_t{ 1 } << 22;
-  std::uint64_t           mostNumbers = 3 * mostBins + 3 * m_Total.projection.size() + m_Blocks.size() + 10;
+  std::uint64_t           mostNumbers = 3 * mostBins + 3 * m_Total.projection.size() + m_Blocks.size() + 32;
   for (const auto & slices : m_Total.slices)
   {
     mostNumbers += 2 * slices.size();

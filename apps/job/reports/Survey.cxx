@@ -80,6 +80,15 @@ GetNumberOfBlocks(const VolumeGeometry & geometry)
   return blocks;
 }
 
+/** Thicker than any. */
+const PlaceCell NoWall{ 0, std::numeric_limits<float>::infinity() };
+
+void
+TakeThinner(PlaceCell & cell, const PlaceCell & other)
+{
+  cell = other.IsWorse(cell, PlaceKind::Thin) ? other : cell;
+}
+
 } // namespace
 
 /** The sums of one tile. Columns run along the last axis. The columns of a word of cells are bits, the first one bit
@@ -100,6 +109,7 @@ struct Survey::TileSums : public Workspace
     wordsPerRow = ((box.upper[0] - 1) >> 6) - firstWord + 1;
     lowerY = box.lower[1];
     walls.clear();
+    thinnest = NoWall;
     if (withPicture)
     {
       columns.assign(static_cast<std::size_t>(wordsPerRow * box.Extent(1)), {});
@@ -120,12 +130,15 @@ struct Survey::TileSums : public Workspace
   std::int64_t                          wordsPerRow{ 0 };
   std::int64_t                          lowerY{ 0 };
   std::vector<itk::MedialVoxelWall>     walls; // that count
+  PlaceCell                             thinnest;
   std::array<std::vector<SliceSums>, 3> slices;
   std::vector<ColumnWord>               columns;
 };
 
 Survey::Survey(const VolumeGeometry & geometry, const itk::MedialVoxelGrid & grid, const SurveySettings & settings)
-  : m_Grid(grid)
+  : m_Geometry(geometry)
+  , m_Grid(grid)
+  , m_Cells(grid.GetSize(), geometry.GetDimension())
   , m_Settings(settings)
   , m_Sample(geometry.GetNumberOfVoxels(), settings.fullyMeasuredVoxels)
   , m_AreaUnit(GetLargestFace(grid) / static_cast<double>(ThicknessSums::AreaUnitsPerFace))
@@ -168,6 +181,7 @@ void
 Survey::Clear()
 {
   m_Total.thickness.Clear();
+  m_Total.thinnest = NoWall;
   if (m_Settings.picture)
   {
     this->Resize(m_Total);
@@ -179,6 +193,7 @@ void
 Survey::Begin()
 {
   m_Pending.thickness.Clear();
+  m_Pending.thinnest = NoWall;
   if (m_Settings.picture)
   {
     this->Resize(m_Pending);
@@ -218,7 +233,7 @@ Survey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace * workspa
   itk::MedialVoxelForEachWall(tile.rows, tile.walls, [&](const auto & cell, const auto & wall) {
     if (m_Sample.Contains(cell))
     {
-      this->AddWall(tile.box, cell, wall, sums);
+      this->AddWall(tile, cell, wall, sums);
     }
     if (m_Settings.picture && wall.IsMeasured())
     {
@@ -239,17 +254,24 @@ Survey::GetBin(const itk::MedialVoxelWall & wall) const
 
 /** Weight of the wall at a cell in the sums and the slices. */
 void
-Survey::AddWall(const itk::MedialVoxelBox &   tile,
-                const itk::MedialVoxelIndex & cell,
-                const itk::MedialVoxelWall &  wall,
-                TileSums &                    sums) const
+Survey::AddWall(const itk::MedialVoxelClassifiedTile & tile,
+                const itk::MedialVoxelIndex &          cell,
+                const itk::MedialVoxelWall &           wall,
+                TileSums &                             sums) const
 {
   sums.walls.push_back(wall);
+  PlaceCell found{ m_Cells.GetKey(cell), wall.thickness };
+  if (wall.IsMeasured() && found.IsWorse(sums.thinnest, PlaceKind::Thin))
+  {
+    found.uncertainty = wall.uncertainty;
+    TakeSides(found, tile, cell);
+    sums.thinnest = found;
+  }
   if (m_Settings.picture)
   {
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
-      SliceSums & slice = sums.slices[axis][static_cast<std::size_t>(cell[axis] - tile.lower[axis])];
+      SliceSums & slice = sums.slices[axis][static_cast<std::size_t>(cell[axis] - tile.box.lower[axis])];
       slice.score += axis == wall.axis ? -1 : 2;
       ++slice.cells;
     }
@@ -263,6 +285,7 @@ Survey::AddSums(const itk::MedialVoxelClassifiedTile & tile, const TileSums & su
   {
     m_Pending.thickness.AddWall(wall, m_AreaUnit);
   }
+  TakeThinner(m_Pending.thinnest, sums.thinnest);
   if (m_Settings.picture)
   {
     for (unsigned int axis = 0; axis < 3; ++axis)
@@ -310,6 +333,7 @@ void
 Survey::AddToTotal(const Sums & sums)
 {
   m_Total.thickness.Add(sums.thickness);
+  TakeThinner(m_Total.thinnest, sums.thinnest);
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     for (std::size_t i = 0; i < sums.slices[axis].size(); ++i)
@@ -326,6 +350,13 @@ Survey::AddToTotal(const Sums & sums)
     total.medialCells += added.medialCells;
     total.thickest = std::max(total.thickest, added.thickest);
   }
+}
+
+std::optional<WallLocation>
+Survey::FindThinnest() const
+{
+  const bool isKnown = m_Total.thinnest.thickness < NoWall.thickness;
+  return isKnown ? std::optional(LocateWall(m_Total.thinnest, m_Cells, m_Geometry)) : std::nullopt;
 }
 
 std::uint64_t

@@ -4,6 +4,7 @@
 #define medialvoxelSurvey_h
 
 #include "CellSample.h"
+#include "PlaceSums.h"
 #include "PreviewLayout.h"
 #include "VolumeHeader.h"
 
@@ -13,8 +14,10 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -97,6 +100,16 @@ public:
     return m_Sample;
   }
 
+  /** Where the thinnest wall of the cells that count is; of several the first one by z, y, x. Unset without any. */
+  std::optional<WallLocation>
+  FindThinnest() const;
+
+  unsigned int
+  GetDimension() const
+  {
+    return m_Geometry.GetDimension();
+  }
+
   /** Index of the slice across \a axis that shows most of the sheets, among the inner nine tenths; the middle one when
    * there are no medial cells.
    *
@@ -151,6 +164,7 @@ private:
       : thickness(binWidth)
     {}
     ThicknessSums                         thickness;
+    PlaceCell                             thinnest{ 0, std::numeric_limits<float>::infinity() };
     std::array<std::vector<SliceSums>, 3> slices;
     Projection                            projection;
   };
@@ -164,10 +178,10 @@ private:
   GetBin(const itk::MedialVoxelWall & wall) const;
 
   void
-  AddWall(const itk::MedialVoxelBox &   tile,
-          const itk::MedialVoxelIndex & cell,
-          const itk::MedialVoxelWall &  wall,
-          TileSums &                    sums) const;
+  AddWall(const itk::MedialVoxelClassifiedTile & tile,
+          const itk::MedialVoxelIndex &          cell,
+          const itk::MedialVoxelWall &           wall,
+          TileSums &                             sums) const;
 
   void
   AddToTotal(const Sums & sums);
@@ -189,7 +203,9 @@ private:
   std::size_t
   GetBlock(std::uint64_t x, std::uint64_t y, std::uint64_t z) const;
 
+  VolumeGeometry                           m_Geometry;
   itk::MedialVoxelGrid                     m_Grid;
+  PlaceGrid                                m_Cells;
   SurveySettings                           m_Settings;
   CellSample                               m_Sample;
   double                                   m_AreaUnit{ 1.0 };
