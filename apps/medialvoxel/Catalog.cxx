@@ -47,7 +47,12 @@ DescribeOption(const CommandLine & line, const CLI::Option & option)
   {
     json["choices"] = choices;
   }
-  if (const OptionRow * const row = FindRow(line, option); row && row->python != 0)
+  const OptionRow * const row = FindRow(line, option);
+  if (!choices.empty() && row->value.initial)
+  {
+    json["default"] = choices.front();
+  }
+  if (row && row->python != 0)
   {
     json["python"] = ListFunctions(*row);
   }

@@ -148,7 +148,7 @@ SetRawType(RawDescription & raw, const std::vector<std::string> & names, const s
 std::optional<std::string>
 GetRawType(const RawDescription & raw)
 {
-  return GetTraits(raw.pixelType).name + (raw.headerSize > 0 ? ":" + std::to_string(raw.headerSize) : "") +
+  return std::string(GetTraits(raw.pixelType).name) + (raw.headerSize > 0 ? ":" + std::to_string(raw.headerSize) : "") +
          (raw.bigEndian ? ":big" : "");
 }
 

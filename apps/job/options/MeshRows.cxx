@@ -15,6 +15,8 @@ using namespace Commands;
 
 constexpr const char * SolverExtensions = ".inp, .bdf or .k";
 
+constexpr const char * Nodes = "nodes"; // as a step of sections
+
 std::string
 JoinExtensions(const std::vector<std::string> & extensions)
 {
@@ -37,15 +39,14 @@ HasElements(const ExtractOptions & options)
 OptionValue
 Sections()
 {
-  constexpr const char * nodes = "nodes";
   return OfLengths(Value<ExtractOptions>(
     [](ExtractOptions & options, const std::string & text) {
-      const bool isAtNodes = ToLower(text) == nodes;
+      const bool isAtNodes = ToLower(text) == Nodes;
       options.thicknessPlace = isAtNodes ? ThicknessPlace::Nodes : ThicknessPlace::Sections;
       options.sectionWidth = isAtNodes ? std::nullopt : std::optional<double>(ToLength(text, " or nodes"));
     },
     [](const ExtractOptions & options) {
-      return options.thicknessPlace == ThicknessPlace::Nodes ? std::optional<std::string>(nodes)
+      return options.thicknessPlace == ThicknessPlace::Nodes ? std::optional<std::string>(Nodes)
              : options.sectionWidth ? std::optional<std::string>(FormatNumber(*options.sectionWidth))
                                     : std::nullopt;
     }));

@@ -106,7 +106,7 @@ CheckScratch(const JobOptions & options, const VolumeHeader & input)
 
 /** Vectors and distances are exact at any spacing. */
 std::optional<WarningText>
-CheckSpacing(const ExtractOptions & options, const VolumeHeader & input)
+CheckSpacing(const ExtractOptions &, const VolumeHeader & input)
 {
   const itk::MedialVoxelGrid grid = GetGrid(input);
   const std::string          inaccuracy = itk::MedialVoxelGridLimits::FindInaccuracy(grid);
@@ -249,7 +249,7 @@ GetVolumeOfWalls(const WallFacts & facts)
 }
 
 double
-GetVolumeOfObject(const JobOptions & options, const JobResult & result)
+GetVolumeOfObject(const JobResult & result)
 {
   const itk::MedialVoxelGrid grid = GetGrid(result.input);
   auto                       volume = static_cast<double>(result.sums.counts.objectVoxels);
@@ -270,7 +270,7 @@ CheckSheets(const WallFacts & facts)
   {
     return std::nullopt;
   }
-  const double share = GetVolumeOfWalls(facts) / GetVolumeOfObject(facts.options, facts.result);
+  const double share = GetVolumeOfWalls(facts) / GetVolumeOfObject(facts.result);
   if (share >= half)
   {
     return std::nullopt;

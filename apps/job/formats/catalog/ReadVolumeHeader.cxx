@@ -161,8 +161,8 @@ CheckDataSize(const VolumeHeader & header)
   if (header.format == &GetRawFormat() && header.dataFileSize > dataSize)
   {
     const std::string bytes = std::to_string(header.dataFileSize - dataSize);
-    remedy = "; a header of " + bytes + " bytes would fit, --raw-type " + GetTraits(header.pixelType).name + ":" +
-             bytes + (header.bigEndian ? ":big" : "");
+    remedy = "; a header of " + bytes + " bytes would fit, --raw-type " +
+             std::string(GetTraits(header.pixelType).name) + ":" + bytes + (header.bigEndian ? ":big" : "");
   }
   Fail(ExitStatus::CorruptInput,
        header.dataFile.string(),
