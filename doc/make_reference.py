@@ -80,8 +80,7 @@ def describe_option(option):
     choices = [f"`{choice}`" for choice in option.get("choices", ())]
     if choices:
         text += ": " + ", ".join(choices)
-        if "--raw-type" not in option["usage"]:
-            text += f" (default {choices[0]})"
+        text += f" (default `{option['default']}`)" if "default" in option else ""
     return " ".join(filter(None, (sentence(text), option["details"])))
 
 
@@ -155,7 +154,7 @@ def make_formats(catalog):
     volumes = [
         [f"`{row['extension']}`", row["format"], mark(row["written"]), mark(row["vectors"]),
          "always" if row["always_packed"] else "with `--compress`" if row["packed_on_request"] else
-         "with `--compress`" if row["format"] == "Zarr" else "no"]
+         "in chunks" if row["format"] == "Zarr" else "no"]
         for row in catalog["volume_formats"]
     ]  # fmt: skip
     meshes = [[f"`{extension}`", *MESH_FORMATS[extension]] for extension in catalog["mesh_formats"]]
