@@ -185,6 +185,17 @@
       ask();
     }
 
+    function showPart() {
+      const isShown = element("surface").checked;
+      scene.showPart(isShown, () => {
+        const part = MedialVoxelPart.build(data, element("part").textContent, sheet.frame);
+        section.dataset.partTriangles = String(part.index.length / 3);
+        return part;
+      });
+      section.dataset.part = String(isShown);
+      ask();
+    }
+
     // Controls of what this sheet has.
     function offerChoices() {
       const others = 1 - sheet.isMain.reduce((sum, is) => sum + is, 0) / sheet.isMain.length;
@@ -293,6 +304,7 @@
       z: () => chooseCut("2"),
       "[": () => moveCut(-4),
       "]": () => moveCut(4),
+      s: () => element("surface").click(),
       Home: showWhole,
       Escape: showWhole,
     };
@@ -359,6 +371,7 @@
     element("cut").addEventListener("input", () => cut(element("axis").value));
     element("flip").addEventListener("change", () => cut());
     element("open").addEventListener("change", ask);
+    element("surface").addEventListener("change", showPart);
     element("color").addEventListener("change", color);
     element("pieces").addEventListener("change", () => {
       choosePieces();
