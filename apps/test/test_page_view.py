@@ -178,8 +178,9 @@ class PointTest(PageCase):
         of_wall = {block for block in inside if block[0] < 64}
         self.assertEqual({z for _, _, z in of_wall}, {2})
         self.assertLessEqual({(x, y, 2) for x in range(13, 62) for y in (2, 3)}, of_wall)
-        # Of the box with its edges within blocks, by hand: 6 of 8, a whole and 3 of 8 voxels along y, 4 of 8 and a whole along z.
-        self.assertEqual([shares[68, 1, 4], shares[68, 2, 4], shares[68, 2, 3]], [13, 15, 15])
+        # The box has the voxels 9 to 26 along y and 24 to 35 along z, of which every other one is looked at.
+        self.assertEqual([shares[68, y, 3] for y in (0, 1, 2, 3)], [0, 11, 15, 8])
+        self.assertEqual([shares[68, y, 4] for y in (0, 1, 2, 3)], [0, 6, 8, 4])
 
     def test_division_threads_and_memory_do_not_change_it(self):
         whole = RUN.sub("", self.page("--lower", 72, "--threads", 1))

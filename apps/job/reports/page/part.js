@@ -30,22 +30,24 @@ const MedialVoxelPart = (() => {
     return { shares, size, strides: [1, size[0], size[0] * size[1]] };
   }
 
+  const CORNERS = [0, 1, 2, 3, 4, 5, 6, 7].map((corner) => [corner & 1, (corner >> 1) & 1, corner >> 2]);
   const isInside = (share) => share > MIDDLE;
 
+  // From the first of eight blocks to each of them.
+  const findOffsets = (strides) => CORNERS.map((corner) => corner.reduce((offset, step, axis) => offset + step * strides[axis], 0));
+
   // The mean of the points where edges between the middles of eight blocks cross the surface, from the first of them.
-  function findCrossing({ shares, strides }, key) {
+  function findCrossing({ shares, strides }, key, offsets) {
     const sum = [0, 0, 0, 0];
-    for (let corner = 0; corner < 8; ++corner) {
-      const place = [corner & 1, (corner >> 1) & 1, corner >> 2];
-      const at = key + place.reduce((offset, step, axis) => offset + step * strides[axis], 0);
+    CORNERS.forEach((corner, i) => {
       for (let axis = 0; axis < 3; ++axis) {
-        const [from, to] = [shares[at], shares[at + strides[axis]]];
-        if (place[axis] === 0 && isInside(from) !== isInside(to)) {
-          place.forEach((step, other) => (sum[other] += other === axis ? (MIDDLE - from) / (to - from) : step));
+        const [from, to] = [shares[key + offsets[i]], shares[key + offsets[i] + strides[axis]]];
+        if (corner[axis] === 0 && isInside(from) !== isInside(to)) {
+          corner.forEach((step, other) => (sum[other] += other === axis ? (MIDDLE - from) / (to - from) : step));
           ++sum[3];
         }
       }
-    }
+    });
     return sum.slice(0, 3).map((value) => value / sum[3]);
   }
 
@@ -53,20 +55,43 @@ const MedialVoxelPart = (() => {
   function findPoints(grid, edge) {
     const { shares, size, strides } = grid;
     const [keys, blocks, indices] = [[], [], []];
-    const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((corner) => [0, 1, 2].reduce((offset, axis) => offset + ((corner >> axis) & 1) * strides[axis], 0));
-    for (let key = 0; key + corners[7] < shares.length; ++key) {
+    const offsets = findOffsets(strides);
+    for (let key = 0; key + offsets[7] < shares.length; ++key) {
       const first = isInside(shares[key]);
-      if (corners.some((offset) => isInside(shares[key + offset]) !== first)) {
+      if (offsets.some((offset) => isInside(shares[key + offset]) !== first)) {
         const block = [key % size[0], Math.floor(key / strides[1]) % size[1], Math.floor(key / strides[2])];
         keys.push(key);
         blocks.push(...block);
-        findCrossing(grid, key).forEach((step, axis) => indices.push((block[axis] + step - 0.5) * edge - 0.5));
+        findCrossing(grid, key, offsets).forEach((step, axis) => indices.push((block[axis] + step - 0.5) * edge - 0.5));
       }
     }
     return { number: keys.length, keys, blocks, indices: Float64Array.from(indices) };
   }
 
-  function build(data, text, frame) {
+  // Which blocks are connected with one that has a main point of the sheet.
+  function findMainBlocks({ shares, size, strides }, sheet, edge) {
+    const isMain = new Uint8Array(shares.length);
+    const open = [];
+    const add = (at) => {
+      if (isInside(shares[at]) && !isMain[at]) {
+        isMain[at] = 1;
+        open.push(at);
+      }
+    };
+    sheet.isMain.forEach((is, point) => {
+      const block = size.map((most, axis) => Math.min(Math.floor((sheet.indices[3 * point + axis] + 1) / edge) + 1, most - 1));
+      if (is) {
+        add(block.reduce((at, index, axis) => at + index * strides[axis], 0));
+      }
+    });
+    while (open.length > 0) {
+      const at = open.pop();
+      strides.forEach((stride) => [at - stride, at + stride].forEach(add));
+    }
+    return isMain;
+  }
+
+  function build(data, text, sheet) {
     const grid = decodeShares(MedialVoxelSheet.decodeBase64(text), data.part.blocks);
     const { shares, strides } = grid;
     const points = findPoints(grid, data.part.edge);
@@ -74,8 +99,11 @@ const MedialVoxelPart = (() => {
     const isCrossed = (point, axis) => isInside(shares[points.keys[point]]) !== isInside(shares[points.keys[point] + strides[axis]]);
     const { faces, uses } = MedialVoxelSheet.findFaces(points, previous, isCrossed);
     MedialVoxelSheet.smooth(points, previous, uses);
-    const positions = MedialVoxelSheet.placePoints(points, [0, 0, 0], frame);
-    return { positions, normals: MedialVoxelSheet.makeNormals(positions, faces), index: faces };
+    const positions = MedialVoxelSheet.placePoints(points, [0, 0, 0], sheet.frame);
+    const isMainBlock = findMainBlocks(grid, sheet, data.part.edge);
+    const offsets = findOffsets(strides);
+    const isMain = points.keys.map((key) => offsets.some((offset) => isMainBlock[key + offset]));
+    return { positions, normals: MedialVoxelSheet.makeNormals(positions, faces), faces: MedialVoxelSheet.putMainFirst(faces, 3, isMain) };
   }
 
   return { build };

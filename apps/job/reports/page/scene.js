@@ -65,7 +65,7 @@ const MedialVoxelScene = (() => {
     varying vec3 place;
     void main() {
       if (depth < nearest || dot(cut.xyz, place) > cut.w) discard;
-      gl_FragColor = vec4(vec3(0.45, 0.48, 0.53) * light, mix(0.65, 0.22, facing));
+      gl_FragColor = vec4(mix(vec3(0.36, 0.39, 0.44), vec3(0.85), facing) * light, mix(0.7, 0.18, facing));
     }`;
   const FAR_AWAY = 1e30;
   const MARGIN = 70; // pixels around the box
@@ -191,6 +191,7 @@ const MedialVoxelScene = (() => {
     scene.add(surface, singles, new THREE.Box3Helper(bounds, 0x8b95a3), marks);
     const camera = new THREE.PerspectiveCamera(32, 1, 1, 10);
     camera.up.set(0, 0, 1);
+    const pieces = { hasAll: false, drawn: [[surface.geometry, sheet.faces.main], [singles.geometry, sheet.singles.main]] };
     let ticks = [];
     let radius = 0;
 
@@ -200,8 +201,12 @@ const MedialVoxelScene = (() => {
       bounds.getCenter(middle);
       radius = bounds.getSize(new THREE.Vector3()).length() / 2;
       ticks = makeTicks(bounds, sheet.frame, data.lengths.length < 3 ? `, ${data.lengths}` : "");
-      surface.geometry.setDrawRange(0, hasAll ? Infinity : sheet.faces.main);
-      singles.geometry.setDrawRange(0, hasAll ? Infinity : sheet.singles.main);
+      pieces.hasAll = hasAll;
+      setDrawRanges();
+    }
+
+    function setDrawRanges() {
+      pieces.drawn.forEach(([geometry, main]) => geometry.setDrawRange(0, pieces.hasAll ? Infinity : main));
     }
 
     // The surface of the part over the sheet: its nearest layer alone, which the depths find first. Made when it is first shown.
@@ -209,7 +214,7 @@ const MedialVoxelScene = (() => {
     function showPart(isShown, build) {
       if (isShown && !layers) {
         const part = build();
-        const geometry = makeGeometry(part, part);
+        const geometry = makeGeometry(part, part.faces);
         const options = { fragmentShader: PART_FRAGMENT, transparent: true };
         layers = [{ colorWrite: false }, { depthWrite: false }].map((more, order) => {
           const layer = new THREE.Mesh(geometry, makeMaterial({ ...options, ...more }));
@@ -218,6 +223,8 @@ const MedialVoxelScene = (() => {
           return layer;
         });
         scene.add(...layers);
+        pieces.drawn.push([geometry, part.faces.main]);
+        setDrawRanges();
       }
       (layers || []).forEach((layer) => (layer.visible = isShown));
     }

@@ -259,6 +259,7 @@ const MedialVoxelSheet = (() => {
     const isMain = findMainPiece(points, previous);
     return {
       frame,
+      indices: points.indices,
       positions,
       isMain,
       faces: putMainFirst(faces, 3, isMain),
@@ -269,5 +270,5 @@ const MedialVoxelSheet = (() => {
     };
   }
 
-  return { build, decodeBase64, makeReader, findPrevious, findFaces, smooth, placePoints, makeNormals };
+  return { build, decodeBase64, makeReader, findPrevious, findFaces, smooth, placePoints, makeNormals, putMainFirst };
 })();

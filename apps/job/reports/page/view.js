@@ -89,6 +89,7 @@
     let selected = -1;
     let flight = null;
     let isAsked = false;
+    let isWhole = true; // as it is shown at first
 
     const say = (text) => (element("status").textContent = text);
 
@@ -164,6 +165,7 @@
     }
 
     function showWhole() {
+      isWhole = true;
       markRow(-1);
       const direction = new THREE.Vector3(0.55, -1, 0.62).normalize();
       const { target, distance } = scene.fit(direction);
@@ -188,8 +190,8 @@
     function showPart() {
       const isShown = element("surface").checked;
       scene.showPart(isShown, () => {
-        const part = MedialVoxelPart.build(data, element("part").textContent, sheet.frame);
-        section.dataset.partTriangles = String(part.index.length / 3);
+        const part = MedialVoxelPart.build(data, element("part").textContent, sheet);
+        section.dataset.partTriangles = String(part.faces.index.length / 3);
         return part;
       });
       section.dataset.part = String(isShown);
@@ -207,6 +209,7 @@
 
     // From where both sides are seen beside each other, and the sheet between them from above.
     function showPlace(number) {
+      isWhole = false;
       const place = readPlace(rows[number], sheet.frame);
       const across = place.sides[1].clone().sub(place.sides[0]);
       const thickness = across.length() || 1;
@@ -314,6 +317,7 @@
       if (action && !event.ctrlKey && !event.altKey && !event.metaKey) {
         event.preventDefault();
         flight = null;
+        isWhole = false;
         action(event);
       }
     }
@@ -363,6 +367,7 @@
     controls.enableZoom = false;
     controls.screenSpacePanning = true;
     controls.addEventListener("change", ask);
+    controls.addEventListener("start", () => (isWhole = false));
     canvas.addEventListener("focus", () => (controls.enableZoom = true));
     canvas.addEventListener("blur", () => (controls.enableZoom = false));
     canvas.addEventListener("keydown", pressKey);
@@ -379,7 +384,7 @@
     });
     new ResizeObserver(() => {
       scene.resize();
-      ask();
+      isWhole ? showWhole() : ask();
     }).observe(canvas.parentElement);
     listenToClicks();
     listenToRows();
