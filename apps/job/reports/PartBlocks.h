@@ -31,7 +31,7 @@ public:
   void
   Clear();
 
-  /** Counts the object voxels at the cells of the rows. */
+  /** Counts the object voxels at the cells of the rows; the last ones along an axis have no cell. */
   void
   Count(const itk::MedialVoxelClassifiedTile & tile);
 
