@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 
 using namespace medialvoxel;
@@ -12,12 +14,15 @@ using namespace medialvoxel;
 namespace
 {
 
+using WordType = itk::MedialVoxelBits::WordType;
+
 constexpr double LengthUnit = 0.25;
 
 /** Rows of random medial cells of a tile, some of them measured. */
 struct RandomTile
 {
   itk::MedialVoxelBox                  box;
+  itk::MedialVoxelBits                 object;
   std::vector<itk::MedialVoxelCellRow> rows;
   std::vector<itk::MedialVoxelWall>    walls;
 };
@@ -33,6 +38,7 @@ DrawTile(std::mt19937_64 & random, std::int64_t firstX)
   {
     tile.box.upper[axis] = tile.box.lower[axis] + 1 + static_cast<std::int64_t>(random() % 20);
   }
+  tile.object.Reshape(tile.box);
   for (std::int64_t z = tile.box.lower[2]; z < tile.box.upper[2]; ++z)
   {
     for (std::int64_t y = tile.box.lower[1]; y < tile.box.upper[1]; ++y)
@@ -44,6 +50,10 @@ DrawTile(std::mt19937_64 & random, std::int64_t firstX)
         itk::MedialVoxelCellRow row;
         row.first = { { x, y, z } };
         row.candidates = in;
+        for (WordType rest = random() & in; rest != 0; rest &= rest - 1)
+        {
+          tile.object.Set({ { x + itk::MedialVoxelLowestBit(rest), y, z } });
+        }
         row.byBound = random() & random() & in;
         row.byGeodesic = random() & random() & in & ~row.byBound;
         row.measured = (row.byBound | row.byGeodesic) & random();
@@ -92,6 +102,27 @@ AddCells(const RandomTile & tile, SheetPoints & points)
   }
 }
 
+/** Voxel by voxel of those that are looked at: every \a step along each axis, 4 x 4 x 4 of a block or fewer. */
+void
+CountVoxels(const RandomTile & tile, std::int64_t edge, std::map<itk::MedialVoxelIndex, std::uint64_t> & counts)
+{
+  const std::int64_t    step = std::max<std::int64_t>(edge / 4, 1);
+  itk::MedialVoxelIndex at;
+  for (at[2] = tile.box.lower[2]; at[2] < tile.box.upper[2]; ++at[2])
+  {
+    for (at[1] = tile.box.lower[1]; at[1] < tile.box.upper[1]; ++at[1])
+    {
+      for (at[0] = tile.box.lower[0]; at[0] < tile.box.upper[0]; ++at[0])
+      {
+        if (at[0] % step == 0 && at[1] % step == 0 && at[2] % step == 0 && tile.object.Test(at))
+        {
+          ++counts[{ { at[2] / edge, at[1] / edge, at[0] / edge } }];
+        }
+      }
+    }
+  }
+}
+
 /** The arguments of an observer beside the rows. */
 class Shower
 {
@@ -99,8 +130,9 @@ public:
   void
   Show(const RandomTile & tile, SheetSurvey & survey)
   {
+    const itk::MedialVoxelWindow window{ &tile.object, nullptr };
     survey.Observe({ tile.box,
-                     m_Window,
+                     window,
                      m_Features,
                      m_Classifier,
                      tile.rows,
@@ -113,7 +145,6 @@ public:
   }
 
 private:
-  itk::MedialVoxelWindow                   m_Window{ nullptr, nullptr };
   itk::MedialVoxelFeatures                 m_Features;
   itk::MedialVoxelClassifier               m_Classifier{ { { { 8, 8, 8 } }, { { 1.0, 1.0, 1.0 } } }, {} };
   itk::MedialVoxelClassifier::Workspace    m_Classification;
@@ -122,11 +153,12 @@ private:
   itk::MedialVoxelGrayThickness::Workspace m_Fits;
 };
 
+template <typename TCells>
 std::string
-Save(const SheetPoints & points)
+Save(const TCells & cells)
 {
   NumberWriter numbers;
-  points.Save(numbers);
+  cells.Save(numbers);
   return numbers.Pack();
 }
 
@@ -157,5 +189,62 @@ TEST(SheetSurvey, SumsCellsByBlocksInAnyNumberOfRuns)
     }
     EXPECT_EQ(survey.GetPoints().GetLevel(), expected.GetLevel());
     EXPECT_EQ(Save(survey.GetPoints()), Save(expected));
+  }
+}
+
+TEST(SheetSurvey, CountsObjectVoxelsByBlocksInAnyNumberOfProcesses)
+{
+  std::mt19937_64 random(18);
+  Shower          shower;
+  for (const std::int64_t edge : { 1, 2, 4, 8, 16 })
+  {
+    VolumeGeometry geometry;
+    geometry.size = { 100 * static_cast<std::uint64_t>(edge), 100, 64 };
+    geometry.spacing.assign(3, 1.0);
+    SheetSurvey                                    all(geometry, LengthUnit);
+    SheetSurvey                                    merged(geometry, LengthUnit);
+    std::map<itk::MedialVoxelIndex, std::uint64_t> expected;
+    for (std::int64_t z = 0; z <= 63 / edge; ++z)
+    {
+      for (std::int64_t y = 0; y <= 99 / edge; ++y)
+      {
+        for (std::int64_t x = 0; x < 100; ++x)
+        {
+          expected[{ { z, y, x } }] = 0;
+        }
+      }
+    }
+    for (unsigned int run = 0; run < 3; ++run)
+    {
+      SheetSurvey part(geometry, LengthUnit);
+      for (SheetSurvey * const survey : { &all, &part })
+      {
+        survey->Begin();
+      }
+      for (unsigned int i = 0; i < 5; ++i)
+      {
+        const RandomTile tile = DrawTile(random, 0);
+        shower.Show(tile, all);
+        shower.Show(tile, part);
+        CountVoxels(tile, edge, expected);
+      }
+      for (SheetSurvey * const survey : { &all, &part })
+      {
+        survey->Commit();
+      }
+      merged.Merge(part.Save());
+    }
+    NumberWriter numbers;
+    for (const auto & [block, count] : expected)
+    {
+      numbers.Add(std::min<std::uint64_t>(count, edge < 4 ? edge * edge * edge : 64)); // tiles of objects overlap
+    }
+    EXPECT_EQ(Save(all.GetPart()), numbers.Pack()) << edge;
+    EXPECT_EQ(Save(merged.GetPart()), numbers.Pack()) << edge;
+    all.Begin(); // a run that is not committed
+    shower.Show(DrawTile(random, 0), all);
+    EXPECT_EQ(Save(all.GetPart()), numbers.Pack()) << edge;
+    all.Clear();
+    EXPECT_EQ(Save(all.GetPart()), Save(PartBlocks(geometry.size)));
   }
 }

@@ -207,6 +207,42 @@ class BrowserTest(PageCase):
             colored = numpy.argwhere(sheet.max(axis=2) - sheet.min(axis=2) > 60)
             extent = (colored.max(axis=0) - colored.min(axis=0)) / sheet.shape[:2]
             self.assertGreater(extent.max(), 0.5, "the sheet fills the view")
+            browser.wait("arrived", "-1")
+            ticks = [tick.rect for tick in browser.find("#view-ticks span")]
+            self.assertGreaterEqual(min(tick["x"] for tick in ticks), stage["x"] - 1, "the whole box is seen")
+            self.assertLessEqual(max(tick["x"] + tick["width"] for tick in ticks), stage["x"] + stage["width"] + 1)
+        self.assert_quiet(browser)
+
+    def test_surface_of_the_part(self):
+        """A gray layer over the sheet, whose colors stay visible; by its box and by a key."""
+        browser = self.show()
+        for width in (1400, 400):
+            browser.set_size(width, 900)
+            pixels = {}
+            for is_on in (False, True):
+                self.assertEqual(browser.find("#view-surface")[0].is_selected(), is_on)
+                pixels[is_on] = browser.pixels()[4:-4, 4:-4]  # without the frame of the focus
+                browser.press("s")
+            self.assertGreater((abs(pixels[True] - pixels[False]).max(axis=2) > 20).mean(), 0.1, "the surface is drawn")
+            spread = {is_on: values.max(axis=2) - values.min(axis=2) for is_on, values in pixels.items()}
+            self.assertGreater((spread[True] > 30).mean(), 0.6 * (spread[False] > 30).mean(), "the sheet is seen through it")
+            self.assertEqual(abs(browser.pixels()[4:-4, 4:-4] - pixels[False]).max(), 0, "off again")
+        browser.find("#view-surface")[0].click()
+        triangles = int(browser.wait("partTriangles")["partTriangles"])
+        self.assertGreater(triangles, 1000)
+        self.assertLessEqual(triangles, 60000)
+        # The surface is where the object is, but for what smoothing moves.
+        low, high = browser.driver.execute_script(
+            "const text = (name) => document.getElementById(name).textContent;"
+            "const data = JSON.parse(text('view-data'));"
+            "const sheet = MedialVoxelSheet.build(data, text('view-points'));"
+            "const part = MedialVoxelPart.build(data, text('view-part'), sheet).positions;"
+            "const x = [...part].filter((_, at) => at % 3 === 0).map((value) => value + sheet.frame.middle[0]);"
+            "return [Math.min(...x), Math.max(...x)]"
+        )
+        objects = [x for (x, _, _), value in zip(self.volume.indices(), self.volume.voxels) if value >= 72]
+        self.assertAlmostEqual(low, min(objects) - 0.5, delta=0.3)
+        self.assertAlmostEqual(high, max(objects) + 0.5, delta=0.3)
         self.assert_quiet(browser)
 
     def test_a_fixed_scale(self):

@@ -28,6 +28,29 @@ def read_data(page):
     return (json.loads(data[1]), base64.b64decode(points[1], validate=True)) if data else None
 
 
+def decode_part(page):
+    """Size of an edge, and the share of object by blocks in 15ths, as the page documents its bytes."""
+    part = read_data(page)[0]["part"]
+    octets = iter(base64.b64decode(re.search(r'id="view-part">(.*?)</script>', page)[1], validate=True))
+    shares = []
+    for value in octets:
+        number, factor = value & 127, 128
+        while value >= 128:
+            value = next(octets)
+            number, factor = number + (value & 127) * factor, 128 * factor
+        shares += [number % 16] * (number // 16 + 1)
+    width, height, depth = part["blocks"]
+    assert len(shares) == width * height * depth
+    return part["edge"], {(at % width, at // width % height, at // (width * height)): share for at, share in enumerate(shares)}
+
+
+def count_faces(shares):
+    """Between inside and outside."""
+    inside = {block for block, share in shares.items() if share >= 8}
+    steps = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
+    return sum((x + i, y + j, z + k) not in inside for x, y, z in inside for i, j, k in steps)
+
+
 def decode_points(data, octets):
     """Rows of block, place in the block in 256ths and code, as the page documents its bytes."""
     values = iter(octets)
@@ -68,7 +91,8 @@ def place_in_block(mean, block, edge):
 class PageCase(ProgramTestCase):
     def setUp(self):
         super().setUp()
-        volumes.write_meta(self.folder / "in.mha", volumes.box_with_plate(size=(60, 50, 40)))
+        self.volume = volumes.box_with_plate(size=(60, 50, 40))
+        volumes.write_meta(self.folder / "in.mha", self.volume)
 
     def page(self, *arguments, source="in.mha"):
         self.extract(source, "out.mha", "--html", "r.html", "--overwrite", *arguments)
@@ -126,6 +150,40 @@ class PointTest(PageCase):
         self.assertEqual({block for block, _, _ in rows}, set(groups))
         for block, places, _ in rows:
             self.assertEqual(places, tuple(place_in_block(mean, index, 2) for mean, index in zip(groups[block], block)))
+
+        edge, shares = decode_part(page)
+        self.assertEqual(edge, 4, "a finer surface of half as many voxels has too many faces")
+        self.assertLess(count_faces(shares), 30000)
+
+    def test_part_is_the_object(self):
+        """But for the last voxels along an axis, which have no cell."""
+        edge, shares = decode_part(self.page("--lower", 72))
+        self.assertEqual(edge, 1)
+        self.assertEqual(set(shares.values()), {0, 15})
+        objects = {
+            index
+            for index, value in zip(self.volume.indices(), self.volume.voxels)
+            if value >= 72 and all(at < size - 1 for at, size in zip(index, self.volume.size))
+        }
+        self.assertEqual({block for block, share in shares.items() if share > 0}, objects)
+
+    def test_thin_walls_are_in_the_part(self):
+        """A wall of a voxel in blocks of eight of them, and a solid box beside it."""
+        wall, box = (slice(20, 21), slice(10, 30), slice(100, 500)), (slice(24, 36), slice(9, 27), slice(520, 568))
+        volume = volumes.Volume((600, 40, 48), bytearray(600 * 40 * 48))
+        for zs, ys, xs in (wall, box):
+            for z in range(zs.start, zs.stop):
+                for y in range(ys.start, ys.stop):
+                    start = (z * 40 + y) * 600
+                    volume.voxels[start + xs.start : start + xs.stop] = bytes([100]) * (xs.stop - xs.start)
+        volumes.write_meta(self.folder / "thin.mha", volume)
+        edge, shares = decode_part(self.page("--lower", 72, source="thin.mha"))
+        self.assertEqual(edge, 8)
+        inside = {block for block, share in shares.items() if share >= 8}
+        of_wall = {block for block in inside if block[0] < 64}
+        self.assertEqual({z for _, _, z in of_wall}, {2})
+        self.assertLessEqual({(x, y, 2) for x in range(13, 62) for y in (2, 3)}, of_wall)
+        self.assertEqual([shares[68, 2, z] for z in (2, 3, 5)], [0, 15, 0], "the box, with its faces at 24 and 36")
 
     def test_division_threads_and_memory_do_not_change_it(self):
         whole = RUN.sub("", self.page("--lower", 72, "--threads", 1))

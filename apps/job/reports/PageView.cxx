@@ -24,6 +24,9 @@ constexpr const char * License = "license";
 /** Bytes of a point: distance from the one before, three places in its block, its thickness. */
 constexpr std::uint64_t LongestPoint = 5 + 3 + 5;
 
+/** Bytes of a part: a run at each side of a face and one between. */
+constexpr std::uint64_t LongestPart = 10 * PartBlocks::DefaultBudget;
+
 enum PointCode : std::uint64_t
 {
   Unpaired = 0,
@@ -83,6 +86,22 @@ EncodePoints(const SheetPoints & points)
   return bytes;
 }
 
+/** Runs of equal shares. */
+std::string
+EncodePart(const PartBlocks::Grid & grid)
+{
+  constexpr unsigned int bitsOfShare = 4;
+  std::string            bytes;
+  for (auto at = grid.shares.begin(); at != grid.shares.end();)
+  {
+    const std::uint8_t share = *at;
+    const auto end = std::find_if(at, grid.shares.end(), [share](std::uint8_t other) { return other != share; });
+    AddNumber(bytes, static_cast<std::uint64_t>(end - at - 1) << bitsOfShare | share);
+    at = end;
+  }
+  return bytes;
+}
+
 /** The colors of shares from 0 to 1, six digits each. */
 std::string
 MakeColors()
@@ -102,7 +121,10 @@ MakeColors()
 }
 
 std::string
-Describe(const PageSheet & shown, const VolumeGeometry & geometry, const std::string & unit)
+Describe(const PageSheet &        shown,
+         const PartBlocks::Grid & part,
+         const VolumeGeometry &   geometry,
+         const std::string &      unit)
 {
   const SheetPoints &   points = shown.sheet->GetPoints();
   std::array<double, 3> shift{};
@@ -111,6 +133,7 @@ Describe(const PageSheet & shown, const VolumeGeometry & geometry, const std::st
   const nlohmann::ordered_json json{ { "points", points.GetNumberOfPoints() },
                                      { "blocks", points.GetNumberOfBlocks() },
                                      { "edge", std::uint64_t{ 1 } << points.GetLevel() },
+                                     { "part", { { "blocks", part.blocks }, { "edge", 0.5 * part.halfEdges } } },
                                      { "size", geometry.size },
                                      { "spacing", geometry.spacing },
                                      { "origin", geometry.origin },
@@ -165,9 +188,11 @@ HasView(const PageSheet & shown, const VolumeGeometry & geometry)
 void
 AddPageScripts(std::string & page, const PageSheet & shown, const VolumeGeometry & geometry, const std::string & unit)
 {
-  AddData(page, "view-data", Describe(shown, geometry, unit));
+  const PartBlocks::Grid part = shown.sheet->GetPart().MakeGrid(shown.sheet->GetPoints());
+  AddData(page, "view-data", Describe(shown, part, geometry, unit));
   AddData(page, "view-points", EncodeBase64(EncodePoints(shown.sheet->GetPoints())));
-  for (const char * const file : { Library, Controls, "sheet.js", "scene.js", "view.js" })
+  AddData(page, "view-part", EncodeBase64(EncodePart(part)));
+  for (const char * const file : { Library, Controls, "sheet.js", "part.js", "scene.js", "view.js" })
   {
     AddScript(page, file);
   }
@@ -178,10 +203,11 @@ AddPageScripts(std::string & page, const PageSheet & shown, const VolumeGeometry
 std::uint64_t
 GetPageViewMemory(const VolumeGeometry & geometry)
 {
-  // Text of the points, and the page twice while it grows.
+  // Text of points and part, and the page twice while it grows.
   constexpr std::uint64_t copies = 3;
   const std::uint64_t     points = std::min<std::uint64_t>(SheetPoints::DefaultBudget, geometry.GetNumberOfVoxels());
-  return copies * (GetEncodedSize(LongestPoint * points) + GetPageFileSize());
+  return copies * (GetEncodedSize(LongestPoint * points + LongestPart) + GetPageFileSize()) +
+         PartBlocks(geometry.size).GetBytesOfGrid();
 }
 
 } // end namespace medialvoxel

@@ -149,19 +149,25 @@ SheetSurvey::SheetSurvey(const VolumeGeometry & geometry, double lengthUnit, con
   , m_Sample(sample)
   , m_Pending(geometry.size)
   , m_Total(geometry.size)
+  , m_PendingPart(geometry.size)
+  , m_Part(geometry.size)
 {}
 
 void
 SheetSurvey::Begin()
 {
   m_Pending.Clear(m_Total.GetLevel()); // all cells need it already
+  m_PendingPart.Clear();
 }
 
 void
 SheetSurvey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace *)
 {
+  PartBlocks part(m_PendingPart, tile.box);
+  part.Count(tile);
   std::unique_lock<std::mutex> lock(m_Mutex);
-  const unsigned int           level = m_Pending.GetLevel();
+  m_PendingPart.Add(part);
+  const unsigned int level = m_Pending.GetLevel();
   if (level < BlocksOfTile::LeastLevel)
   {
     ForEachBlock(
@@ -188,11 +194,13 @@ SheetSurvey::Commit()
     m_Total.Add(m_Pending);
   }
   m_Pending.Clear(m_Total.GetLevel());
+  m_Part.Add(m_PendingPart);
 }
 
 void
 SheetSurvey::Clear()
 {
+  m_Part.Clear();
   m_Total.Clear();
 }
 
@@ -201,6 +209,7 @@ SheetSurvey::Save() const
 {
   NumberWriter numbers;
   m_Total.Save(numbers);
+  m_Part.Save(numbers);
   return numbers.Pack();
 }
 
@@ -208,8 +217,9 @@ void
 SheetSurvey::Merge(const std::string & bytes)
 {
   constexpr std::uint64_t longestNumber = 10;
-  NumberReader            numbers(bytes, longestNumber * m_Total.GetMostNumbers());
+  NumberReader            numbers(bytes, longestNumber * (m_Total.GetMostNumbers() + m_Part.GetNumberOfBlocks()));
   m_Total.Merge(numbers);
+  m_Part.Merge(numbers);
   numbers.CheckEnd();
 }
 
@@ -220,7 +230,9 @@ SheetSurvey::GetFootprint(const VolumeGeometry & geometry)
   // Three bytes for each number on the average, and the packed ones.
   constexpr std::uint64_t perPoint = 2 * 8 * 3;
   const std::uint64_t     points = std::min<std::uint64_t>(SheetPoints::DefaultBudget, geometry.GetNumberOfVoxels());
-  return { ofRunAndAll, perPoint * points, PerVoxelOfTile };
+  // Of the part a run, the sum of all, and their bytes once more.
+  const std::uint64_t blocks = PartBlocks(geometry.size).GetNumberOfBlocks();
+  return { ofRunAndAll + 2 * blocks, perPoint * points + 2 * blocks, PerVoxelOfTile };
 }
 
 } // end namespace medialvoxel

@@ -4,6 +4,7 @@
 #define medialvoxelSheetSurvey_h
 
 #include "CellSample.h"
+#include "PartBlocks.h"
 #include "SheetPoints.h"
 #include "ProductFootprint.h"
 #include "TileSurvey.h"
@@ -16,7 +17,8 @@ namespace medialvoxel
 {
 
 /** \class SheetSurvey
- * \brief The medial sheet, coarse enough to be looked at as a whole, taken while the tiles of a run are at hand.
+ * \brief The medial sheet and its part, coarse enough to be looked at as a whole, taken while the tiles of a run are at
+ * hand.
  *
  * It has no cells measured itself. */
 class SheetSurvey : public TileSurvey
@@ -26,8 +28,8 @@ public:
    * \param sample      of the cells whose thickness counts */
   SheetSurvey(const VolumeGeometry & geometry, double lengthUnit, const CellSample & sample = {});
 
-  /** The sums of the blocks of a tile, rounded up. */
-  static constexpr std::uint64_t PerVoxelOfTile = 1;
+  /** The sums of the blocks of a tile, and its counts. */
+  static constexpr std::uint64_t PerVoxelOfTile = 2;
 
   std::uint64_t
   GetBytesPerVoxel() const override
@@ -53,6 +55,12 @@ public:
     return m_Total;
   }
 
+  const PartBlocks &
+  GetPart() const
+  {
+    return m_Part;
+  }
+
   double
   GetLengthUnit() const
   {
@@ -74,6 +82,8 @@ private:
   CellSample  m_Sample;
   SheetPoints m_Pending;
   SheetPoints m_Total;
+  PartBlocks  m_PendingPart;
+  PartBlocks  m_Part;
   std::mutex  m_Mutex; // of the pending tiles
 };
 

@@ -13,12 +13,14 @@ const MedialVoxelScene = (() => {
     varying float known;
     varying float light;
     varying float depth;
+    varying float facing;
     varying vec3 place;
     void main() {
       vec4 seen = modelViewMatrix * vec4(position, 1.0);
       vec3 across = normalMatrix * normal;
-      float facing = dot(across, across) > 0.0 ? abs(dot(normalize(across), normalize(vec3(0.35, 0.45, 1.0)))) : 0.8;
-      light = 0.42 + 0.6 * facing;
+      float lit = dot(across, across) > 0.0 ? abs(dot(normalize(across), normalize(vec3(0.35, 0.45, 1.0)))) : 0.8;
+      light = 0.42 + 0.6 * lit;
+      facing = dot(across, across) > 0.0 ? abs(dot(normalize(across), normalize(seen.xyz))) : 1.0;
       wall = thickness;
       known = isKnown;
       depth = -seen.z;
@@ -53,6 +55,18 @@ const MedialVoxelScene = (() => {
       if (known < 0.5) color = mix(color, vec3(1.0), 0.75 * stripe);
       gl_FragColor = vec4(color * light, 1.0);
     }`;
+  // Gray glass, denser where it is seen from the side.
+  const PART_FRAGMENT = `
+    uniform vec4 cut;
+    uniform float nearest;
+    varying float light;
+    varying float depth;
+    varying float facing;
+    varying vec3 place;
+    void main() {
+      if (depth < nearest || dot(cut.xyz, place) > cut.w) discard;
+      gl_FragColor = vec4(mix(vec3(0.36, 0.39, 0.44), vec3(0.85), facing) * light, mix(0.7, 0.18, facing));
+    }`;
   const FAR_AWAY = 1e30;
   const MARGIN = 70; // pixels around the box
   const CLASSES = ["#d55e00", "#009e73", "#0072b2"]; // below, within and above; told apart by all eyes
@@ -67,13 +81,13 @@ const MedialVoxelScene = (() => {
     return texture;
   }
 
-  function makeGeometry(sheet, { index }) {
+  function makeGeometry({ positions, normals, thickness, isKnown }, { index }) {
     const geometry = new THREE.BufferGeometry();
-    const set = (name, values, size) => geometry.setAttribute(name, new THREE.BufferAttribute(values, size));
-    set("position", sheet.positions, 3);
-    set("normal", sheet.normals, 3);
-    set("thickness", sheet.thickness, 1);
-    set("isKnown", sheet.isKnown, 1);
+    const set = (name, values, size) => values && geometry.setAttribute(name, new THREE.BufferAttribute(values, size));
+    set("position", positions, 3);
+    set("normal", normals, 3);
+    set("thickness", thickness, 1);
+    set("isKnown", isKnown, 1);
     geometry.setIndex(new THREE.BufferAttribute(index, 1));
     return geometry;
   }
@@ -167,16 +181,17 @@ const MedialVoxelScene = (() => {
       nearest: { value: 0 },
       pointSize: { value: 1 },
     };
-    const makeMaterial = (defines) =>
-      new THREE.ShaderMaterial({ uniforms, defines, vertexShader: VERTEX, fragmentShader: FRAGMENT, side: THREE.DoubleSide });
+    const makeMaterial = (options) =>
+      new THREE.ShaderMaterial({ uniforms, vertexShader: VERTEX, fragmentShader: FRAGMENT, side: THREE.DoubleSide, ...options });
     const surface = new THREE.Mesh(makeGeometry(sheet, sheet.faces), makeMaterial({}));
-    const singles = new THREE.Points(makeGeometry(sheet, sheet.singles), makeMaterial({ ROUND: true }));
+    const singles = new THREE.Points(makeGeometry(sheet, sheet.singles), makeMaterial({ defines: { ROUND: true } }));
     surface.frustumCulled = singles.frustumCulled = false;
     const marks = makeMarks();
     const scene = new THREE.Scene();
     scene.add(surface, singles, new THREE.Box3Helper(bounds, 0x8b95a3), marks);
     const camera = new THREE.PerspectiveCamera(32, 1, 1, 10);
     camera.up.set(0, 0, 1);
+    const pieces = { hasAll: false, drawn: [[surface.geometry, sheet.faces.main], [singles.geometry, sheet.singles.main]] };
     let ticks = [];
     let radius = 0;
 
@@ -186,8 +201,32 @@ const MedialVoxelScene = (() => {
       bounds.getCenter(middle);
       radius = bounds.getSize(new THREE.Vector3()).length() / 2;
       ticks = makeTicks(bounds, sheet.frame, data.lengths.length < 3 ? `, ${data.lengths}` : "");
-      surface.geometry.setDrawRange(0, hasAll ? Infinity : sheet.faces.main);
-      singles.geometry.setDrawRange(0, hasAll ? Infinity : sheet.singles.main);
+      pieces.hasAll = hasAll;
+      setDrawRanges();
+    }
+
+    function setDrawRanges() {
+      pieces.drawn.forEach(([geometry, main]) => geometry.setDrawRange(0, pieces.hasAll ? Infinity : main));
+    }
+
+    // The surface of the part over the sheet: its nearest layer alone, which the depths find first. Made when it is first shown.
+    let layers = null;
+    function showPart(isShown, build) {
+      if (isShown && !layers) {
+        const part = build();
+        const geometry = makeGeometry(part, part.faces);
+        const options = { fragmentShader: PART_FRAGMENT, transparent: true };
+        layers = [{ colorWrite: false }, { depthWrite: false }].map((more, order) => {
+          const layer = new THREE.Mesh(geometry, makeMaterial({ ...options, ...more }));
+          layer.frustumCulled = false;
+          layer.renderOrder = order + 1;
+          return layer;
+        });
+        scene.add(...layers);
+        pieces.drawn.push([geometry, part.faces.main]);
+        setDrawRanges();
+      }
+      (layers || []).forEach((layer) => (layer.visible = isShown));
     }
 
     // The target, and the distance from it at which the box just fits with room for the numbers, seen from a direction.
@@ -278,7 +317,7 @@ const MedialVoxelScene = (() => {
     }
 
     return {
-      camera, marks, resize, render, setCut, pick, placeTicks, choosePieces, fit, isInMainPiece,
+      camera, marks, resize, render, setCut, pick, placeTicks, choosePieces, showPart, fit, isInMainPiece,
       getRadius: () => radius,
       hideBefore: (depth) => (uniforms.nearest.value = depth),
       colorByLimits: (is) => (uniforms.isByLimits.value = is),

@@ -69,8 +69,8 @@ const MedialVoxelSheet = (() => {
   }
 
   // At 3 * point + axis the point of the block before along the axis, or -1.
-  function findPrevious(points, data) {
-    const strides = [1, data.blocks[0], data.blocks[0] * data.blocks[1]];
+  function findPrevious(points, size) {
+    const strides = [1, size[0], size[0] * size[1]];
     const pointOf = new Map();
     const previous = new Int32Array(3 * points.number).fill(-1);
     points.keys.forEach((key, point) => pointOf.set(key, point));
@@ -82,9 +82,9 @@ const MedialVoxelSheet = (() => {
     return previous;
   }
 
-  // A sheet that crosses an edge between four blocks is in all of them: there it has a quadrilateral. Edges of these are
-  // named as in previous, by their second end; uses counts the quadrilaterals at them.
-  function findFaces(points, previous) {
+  // A sheet that crosses an edge between four blocks is in all of them: there it has a quadrilateral, unless isCrossed
+  // denies it. Edges of these are named as in previous, by their second end; uses counts the quadrilaterals at them.
+  function findFaces(points, previous, isCrossed = () => true) {
     const faces = [];
     const uses = new Uint8Array(previous.length);
     for (let point = 0; point < points.number; ++point) {
@@ -92,7 +92,7 @@ const MedialVoxelSheet = (() => {
         const [b, c] = [(axis + 1) % 3, (axis + 2) % 3];
         const [beforeB, beforeC] = [previous[3 * point + b], previous[3 * point + c]];
         const opposite = beforeB >= 0 && beforeC >= 0 ? previous[3 * beforeB + c] : -1;
-        if (opposite >= 0) {
+        if (opposite >= 0 && isCrossed(point, axis)) {
           faces.push(point, beforeB, opposite, point, opposite, beforeC);
           [3 * point + b, 3 * point + c, 3 * beforeB + c, 3 * beforeC + b].forEach((edge) => ++uses[edge]);
         }
@@ -208,10 +208,10 @@ const MedialVoxelSheet = (() => {
     return { toSpace, toScene, middle };
   }
 
-  function placePoints(points, data, frame) {
+  function placePoints(points, shift, frame) {
     const positions = new Float32Array(3 * points.number);
     for (let point = 0; point < points.number; ++point) {
-      const index = [0, 1, 2].map((axis) => points.indices[3 * point + axis] + data.shift[axis]);
+      const index = [0, 1, 2].map((axis) => points.indices[3 * point + axis] + shift[axis]);
       positions.set(frame.toScene(index), 3 * point);
     }
     return positions;
@@ -250,15 +250,16 @@ const MedialVoxelSheet = (() => {
 
   function build(data, text) {
     const points = decodePoints(decodeBase64(text), data);
-    const previous = findPrevious(points, data);
+    const previous = findPrevious(points, data.blocks);
     const { faces, uses } = findFaces(points, previous);
     spreadLengths(points, previous);
     smooth(points, previous, uses);
     const frame = makeFrame(data);
-    const positions = placePoints(points, data, frame);
+    const positions = placePoints(points, data.shift, frame);
     const isMain = findMainPiece(points, previous);
     return {
       frame,
+      indices: points.indices,
       positions,
       isMain,
       faces: putMainFirst(faces, 3, isMain),
@@ -269,5 +270,5 @@ const MedialVoxelSheet = (() => {
     };
   }
 
-  return { build };
+  return { build, decodeBase64, makeReader, findPrevious, findFaces, smooth, placePoints, makeNormals, putMainFirst };
 })();

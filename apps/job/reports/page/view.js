@@ -89,6 +89,7 @@
     let selected = -1;
     let flight = null;
     let isAsked = false;
+    let isWhole = true; // as it is shown at first
 
     const say = (text) => (element("status").textContent = text);
 
@@ -164,6 +165,7 @@
     }
 
     function showWhole() {
+      isWhole = true;
       markRow(-1);
       const direction = new THREE.Vector3(0.55, -1, 0.62).normalize();
       const { target, distance } = scene.fit(direction);
@@ -185,6 +187,17 @@
       ask();
     }
 
+    function showPart() {
+      const isShown = element("surface").checked;
+      scene.showPart(isShown, () => {
+        const part = MedialVoxelPart.build(data, element("part").textContent, sheet);
+        section.dataset.partTriangles = String(part.faces.index.length / 3);
+        return part;
+      });
+      section.dataset.part = String(isShown);
+      ask();
+    }
+
     // Controls of what this sheet has.
     function offerChoices() {
       const others = 1 - sheet.isMain.reduce((sum, is) => sum + is, 0) / sheet.isMain.length;
@@ -196,6 +209,7 @@
 
     // From where both sides are seen beside each other, and the sheet between them from above.
     function showPlace(number) {
+      isWhole = false;
       const place = readPlace(rows[number], sheet.frame);
       const across = place.sides[1].clone().sub(place.sides[0]);
       const thickness = across.length() || 1;
@@ -293,6 +307,7 @@
       z: () => chooseCut("2"),
       "[": () => moveCut(-4),
       "]": () => moveCut(4),
+      s: () => element("surface").click(),
       Home: showWhole,
       Escape: showWhole,
     };
@@ -302,6 +317,7 @@
       if (action && !event.ctrlKey && !event.altKey && !event.metaKey) {
         event.preventDefault();
         flight = null;
+        isWhole = false;
         action(event);
       }
     }
@@ -351,6 +367,7 @@
     controls.enableZoom = false;
     controls.screenSpacePanning = true;
     controls.addEventListener("change", ask);
+    controls.addEventListener("start", () => (isWhole = false));
     canvas.addEventListener("focus", () => (controls.enableZoom = true));
     canvas.addEventListener("blur", () => (controls.enableZoom = false));
     canvas.addEventListener("keydown", pressKey);
@@ -359,6 +376,7 @@
     element("cut").addEventListener("input", () => cut(element("axis").value));
     element("flip").addEventListener("change", () => cut());
     element("open").addEventListener("change", ask);
+    element("surface").addEventListener("change", showPart);
     element("color").addEventListener("change", color);
     element("pieces").addEventListener("change", () => {
       choosePieces();
@@ -366,7 +384,7 @@
     });
     new ResizeObserver(() => {
       scene.resize();
-      ask();
+      isWhole ? showWhole() : ask();
     }).observe(canvas.parentElement);
     listenToClicks();
     listenToRows();
