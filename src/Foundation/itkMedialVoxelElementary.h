@@ -17,13 +17,13 @@ namespace MedialVoxelElementary
 MedialVoxel_EXPORT double
 ArcCosine(double cosine);
 
-/** Of an angle of at most 100 radians: within 1e-14. */
+/** Of an angle of at most 10 radians: within 2e-15. */
 MedialVoxel_EXPORT double
 Sine(double radians);
 MedialVoxel_EXPORT double
 Cosine(double radians);
 
-/** Within 4 ulp for |x| below 1/4; the error grows in proportion to x. */
+/** Within 8 ulp for |x| up to 1/4, and 32 |x| ulp beyond. */
 MedialVoxel_EXPORT double
 Exponential(double x);
 
@@ -31,7 +31,7 @@ Exponential(double x);
 MedialVoxel_EXPORT double
 Logarithm(double x);
 
-/** Of a positive base: the error is that of Exponential(). */
+/** Of a positive base: the error is that of Exponential(exponent * Logarithm(base)). */
 MedialVoxel_EXPORT double
 Power(double base, double exponent);
 
