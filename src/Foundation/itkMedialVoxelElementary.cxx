@@ -21,14 +21,12 @@ constexpr double RootOfHalf = 0.70710678118654752440;
 double
 ArcSine(const double x)
 {
-  double sum = x;
-  double term = x;
-  for (int k = 1; k < 28; ++k)
+  double nested = 1.0; // from the last term on, for the smallest error
+  for (int k = 27; k > 0; --k)
   {
-    term *= x * x * (2 * k - 1) / (2 * k);
-    sum += term / (2 * k + 1);
+    nested = 1.0 + nested * (x * x) * ((2.0 * k - 1.0) * (2.0 * k - 1.0) / (2.0 * k * (2.0 * k + 1.0)));
   }
-  return sum;
+  return x * nested;
 }
 
 } // namespace
