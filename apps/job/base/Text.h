@@ -44,7 +44,7 @@ FormatSeconds(double seconds);
 std::string
 FormatScientific(double value, int decimals);
 
-/** The nearest number to 10^exponent, which has at most 300 digits. */
+/** 10^exponent, of exponents from -300 to 300. */
 double
 GetPowerOfTen(int exponent);
 
