@@ -76,6 +76,13 @@ class ValuesTest(ProgramTestCase):
                 self.assert_statistics(found, values)
                 self.assertNotIn("bin width", found)
 
+    def test_the_lowest_of_equal_thresholds(self):
+        """Three values, the outer ones as often as each other: both thresholds are as good."""
+        for often, middle in ((3, 5), (70001, 33), (99999, 54321)):
+            values = [64998] * often + [64999] * middle + [65000] * often
+            volumes.write_meta(self.folder / "in.mha", volumes.Volume((len(values), 1, 1), values, kind="uint16"))
+            self.assertEqual(self.info("in.mha")["otsu"], "64999")
+
     def test_any_format(self):
         generator = random.Random(8)
         values = two_peaks(generator, -900, 3000, 31 * 29 * 37)

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelWallRay.h"
 
+#include "itkMedialVoxelNormalDistribution.h"
+#include "itkMedialVoxelVector3.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,7 +34,7 @@ struct Weights
     for (std::size_t i = 0; i < smooth.size(); ++i)
     {
       const double distance = static_cast<double>(first + static_cast<std::int64_t>(i)) - coordinate;
-      smooth[i] = std::exp(-0.5 * distance * distance);
+      smooth[i] = MedialVoxelNormalDistribution::Get().Density(distance);
       derivative[i] = distance * smooth[i];
       sum += smooth[i];
       moment += derivative[i];
@@ -149,12 +152,11 @@ MedialVoxelWallRay::FindDirection(const Point & start) const
       gradient[2] += smooth * weights[1].smooth[j] * weights[2].derivative[k];
     }
   }
-  double length = 0.0;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     gradient[axis] /= m_Spacing[axis];
-    length = std::hypot(length, gradient[axis]);
   }
+  const double length = MedialVoxelNorm(gradient);
   if (!(length > 0.0) || !std::isfinite(length))
   {
     return std::nullopt;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelElementQuality.h"
 
+#include "itkMedialVoxelElementary.h"
 #include "itkMedialVoxelVector3.h"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ GetSides(const std::array<Vector, VCorners> & corners)
 double
 ToDegrees(const double cosine)
 {
-  return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / 3.14159265358979323846;
+  return MedialVoxelElementary::ArcCosine(cosine) * 180.0 / 3.14159265358979323846;
 }
 
 /** Longest side times circumference, over the area times a number that makes it 1 for the best shape. */
@@ -180,7 +181,7 @@ MedialVoxelElementShapes::AddShape(const std::array<Vector, VCorners> & corners)
   for (std::size_t k = 0; k < VCorners; ++k)
   {
     const Vector back = MedialVoxelAddScaled({}, sides[(k + VCorners - 1) % VCorners], -1.0);
-    m_Angles.push_back(ToDegrees(MedialVoxelCosine(sides[k], back)));
+    m_Cosines.push_back(MedialVoxelCosine(sides[k], back));
     m_Lengths.push_back(MedialVoxelNorm(sides[k]));
   }
 }
@@ -199,9 +200,9 @@ MedialVoxelElementShapes::Summarize() const
     summary.lowJacobian = MedialVoxelFindPercentile(jacobians, 0.01);
     summary.highAspect = MedialVoxelFindPercentile(aspects, 0.99);
     summary.largestAspect = *std::max_element(aspects.begin(), aspects.end());
-    const auto [least, largest] = std::minmax_element(m_Angles.begin(), m_Angles.end());
-    summary.leastAngle = *least;
-    summary.largestAngle = *largest;
+    const auto [least, largest] = std::minmax_element(m_Cosines.begin(), m_Cosines.end());
+    summary.leastAngle = ToDegrees(*largest);
+    summary.largestAngle = ToDegrees(*least);
     const auto [shortest, longest] = std::minmax_element(m_Lengths.begin(), m_Lengths.end());
     summary.shortestSide = *shortest;
     summary.longestSide = *longest;

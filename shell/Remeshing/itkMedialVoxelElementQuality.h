@@ -89,7 +89,7 @@ private:
   std::vector<double> m_Jacobians;
   std::vector<double> m_Aspects;
   std::vector<double> m_Warpages; ///< of quadrilaterals
-  std::vector<double> m_Angles;   ///< of corners
+  std::vector<double> m_Cosines;  ///< of the angles of corners
   std::vector<double> m_Lengths;  ///< of sides, for each element again
 };
 

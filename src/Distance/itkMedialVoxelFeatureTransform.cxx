@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelFeatureTransformPrivate.h"
 
+#include "itkMedialVoxelElementary.h"
 #include "itkMedialVoxelProgress.h"
 
 #include <algorithm>
@@ -44,7 +45,7 @@ MeanMetricSpacing(const MedialVoxelGrid & grid)
       ++active;
     }
   }
-  return active == 0 ? 1.0 : std::pow(product, 1.0 / active);
+  return active == 0 ? 1.0 : MedialVoxelElementary::Power(product, 1.0 / active);
 }
 
 /** Squared metric distance from a box to the nearest voxel outside \a known that the image has. */

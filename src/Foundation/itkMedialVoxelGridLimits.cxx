@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelGridLimits.h"
 
+#include "itkMedialVoxelElementary.h"
 #include "itkMedialVoxelText.h"
 
 #include <algorithm>
@@ -132,7 +133,7 @@ MedialVoxelGridLimits::FindShear(const std::vector<std::vector<double>> & axes)
       const double cosine = std::inner_product(axes[axis].begin(), axes[axis].end(), axes[other].begin(), 0.0);
       if (!(std::abs(cosine) <= LargestShear))
       {
-        const double degrees = std::acos(std::clamp(cosine, -1.0, 1.0)) * degreesPerRadian;
+        const double degrees = MedialVoxelElementary::ArcCosine(cosine) * degreesPerRadian;
         return std::string("its axes ") + "xyz"[axis] + " and " + "xyz"[other] + " are at " +
                FormatNumber(std::round(100.0 * degrees) / 100.0) +
                " degrees to each other; they must be at 90, within 0.57 degrees";

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelNormalDistribution.h"
 
+#include "itkMedialVoxelElementary.h"
+
 #include <cmath>
 #include <cstddef>
 
@@ -12,25 +14,6 @@ namespace
 
 /** Density at 0. */
 constexpr double AtZero = 0.3989422804014326779;
-
-/** exp(-y) for y of at least 0: the square of exp(-y / 2) down to where a few terms of the series suffice. */
-double
-GetDecay(const double y)
-{
-  if (y > 0.25)
-  {
-    const double half = GetDecay(0.5 * y);
-    return half * half;
-  }
-  double sum = 1.0;
-  double term = 1.0;
-  for (int k = 1; k < 16; ++k)
-  {
-    term *= -y / k;
-    sum += term;
-  }
-  return sum;
-}
 
 /** Cumulative(x) - 1/2 over the density at x, a series of terms that are all positive. */
 double
@@ -60,7 +43,7 @@ MedialVoxelNormalDistribution::MedialVoxelNormalDistribution()
   for (std::size_t i = 0; i < m_Density.size(); ++i)
   {
     const double x = static_cast<double>(i) / Steps;
-    m_Density[i] = AtZero * GetDecay(0.5 * x * x);
+    m_Density[i] = AtZero * MedialVoxelElementary::Exponential(-0.5 * x * x);
     m_Cumulative[i] = 0.5 + m_Density[i] * GetSeries(x);
   }
 }

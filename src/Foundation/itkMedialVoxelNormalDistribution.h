@@ -16,7 +16,6 @@ namespace itk
 /** \class MedialVoxelNormalDistribution
  * \brief The standard normal distribution from sums, products and quotients alone.
  *
- * The functions of a C library may differ in the last bit from one processor to another, and a job may run on several.
  * Errors are below 1e-8; beyond 7 standard deviations the density is 0.
  * \ingroup MedialVoxel
  */

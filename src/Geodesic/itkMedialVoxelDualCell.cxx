@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelDualCell.h"
 
+#include "itkMedialVoxelElementary.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -107,8 +109,7 @@ MedialVoxelDualCell::PseudoGeodesicDistance(const MedialVoxelDisplacement & a, c
   {
     return 0.0;
   }
-  const double cosine = dot / std::sqrt(squaredA * squaredB);
-  const double theta = std::acos(std::min(1.0, std::max(-1.0, cosine)));
+  const double theta = MedialVoxelElementary::ArcCosine(dot / std::sqrt(squaredA * squaredB));
   return std::sqrt(std::min(squaredA, squaredB)) * theta;
 }
 

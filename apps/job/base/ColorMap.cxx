@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ColorMap.h"
 
+#include "itkMedialVoxelElementary.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,7 +25,7 @@ InverseLab(double value)
 double
 EncodeGamma(double linear)
 {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * itk::MedialVoxelElementary::Power(linear, 1.0 / 2.4) - 0.055;
 }
 
 /** CIELAB with the white of D65 as linear red, green and blue of sRGB; sRGB has no color outside of 0 to 1. */
@@ -46,10 +48,12 @@ MakeMapColor(double share)
   constexpr double degree = 3.14159265358979323846 / 180.0;
   const double     lightness = 28.0 + 64.0 * share;
   const double     hue = (305.0 - 205.0 * share) * degree;
+  const double     a = itk::MedialVoxelElementary::Cosine(hue);
+  const double     b = itk::MedialVoxelElementary::Sine(hue);
   constexpr double mostChroma = 62.0;
   for (double chroma = mostChroma;; chroma -= 0.5)
   {
-    const auto linear = LabToLinear(lightness, chroma * std::cos(hue), chroma * std::sin(hue));
+    const auto linear = LabToLinear(lightness, chroma * a, chroma * b);
     if (chroma <= 0.0 || std::all_of(linear.begin(), linear.end(), [](double c) { return c >= 0.0 && c <= 1.0; }))
     {
       Color color{};

@@ -57,11 +57,33 @@ FormatSeconds(double seconds)
 }
 
 std::string
+FormatScientific(double value, int decimals)
+{
+  std::array<char, 64> text{};
+  const auto           end = text.data() + text.size();
+  return { text.data(), std::to_chars(text.data(), end, value, std::chars_format::scientific, decimals).ptr };
+}
+
+double
+GetPowerOfTen(int exponent)
+{
+  return *ParseDouble("1e" + std::to_string(exponent));
+}
+
+double
+GetPowerOfTenUpTo(double value)
+{
+  constexpr int     mostDecimals = 16; // with fewer, 9.99... may become 10
+  const std::string text = FormatScientific(value, mostDecimals);
+  return *ParseDouble("1" + text.substr(text.find('e')));
+}
+
+std::string
 FormatShort(double value, int digits)
 {
   constexpr double mostInFull = 1e9;
   const double     size = std::fabs(value);
-  const bool       isInFull = size < mostInFull && size >= std::pow(10.0, digits) - 0.5;
+  const bool       isInFull = size < mostInFull && size >= GetPowerOfTen(digits) - 0.5;
   if (isInFull)
   {
     return FormatFixed(value, 0);

@@ -40,6 +40,18 @@ FormatBytes(std::uint64_t numberOfBytes);
 std::string
 FormatSeconds(double seconds);
 
+/** A digit, a point, so many decimals and a power of ten. */
+std::string
+FormatScientific(double value, int decimals);
+
+/** 10^exponent, of exponents from -300 to 300. */
+double
+GetPowerOfTen(int exponent);
+
+/** The largest power of ten up to a positive number. */
+double
+GetPowerOfTenUpTo(double value);
+
 /** So many significant digits at most, and all of those before the point up to 10^9. */
 std::string
 FormatShort(double value, int digits = 4);

@@ -6,6 +6,8 @@
 #include "Text.h"
 #include "Version.h"
 
+#include "itkMedialVoxelElementary.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -75,7 +77,8 @@ std::uint8_t
 ToLinear(std::uint8_t component)
 {
   const double encoded = component / 255.0;
-  const double linear = encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+  const double linear =
+    encoded <= 0.04045 ? encoded / 12.92 : itk::MedialVoxelElementary::Power((encoded + 0.055) / 1.055, 2.4);
   return static_cast<std::uint8_t>(std::lround(255.0 * linear));
 }
 

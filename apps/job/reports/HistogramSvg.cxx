@@ -25,7 +25,7 @@ double
 GetTickStep(double range)
 {
   const double least = range / 8.0;
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  const double power = GetPowerOfTenUpTo(least);
   for (const double factor : { 1.0, 2.0, 5.0 })
   {
     if (factor * power >= least)

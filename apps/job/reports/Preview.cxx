@@ -4,6 +4,7 @@
 
 #include "PreviewViews.h"
 
+#include "itkMedialVoxelElementary.h"
 #include "itkMedialVoxelParameters.h"
 
 #include <cmath>
@@ -37,7 +38,8 @@ GetColor(const Slice<std::uint8_t> & slice, const CoveredArea & covered)
 Color
 Dim(const Color & color, std::uint32_t medialCells, std::uint32_t most)
 {
-  const double share = 0.33 + 0.67 * std::log1p(medialCells) / std::log1p(most);
+  using itk::MedialVoxelElementary::Logarithm;
+  const double share = 0.33 + 0.67 * Logarithm(1.0 + medialCells) / Logarithm(1.0 + most);
   Color        dimmed = color;
   for (std::uint8_t & component : dimmed)
   {

@@ -52,7 +52,7 @@ void
 DrawScaleBar(Canvas & canvas, unsigned int x, unsigned int y, double pixelsPerUnit, const VolumeGeometry & geometry)
 {
   constexpr double longestBar = 100.0;
-  double           length = std::pow(10.0, std::floor(std::log10(longestBar / pixelsPerUnit)));
+  double           length = GetPowerOfTenUpTo(longestBar / pixelsPerUnit);
   for (const double factor : { 5.0, 2.0 })
   {
     if (factor * length * pixelsPerUnit <= longestBar)

@@ -16,7 +16,7 @@ namespace medialvoxel
 {
 
 /** \class ExactSum
- * \brief Of finite real numbers: the same for any order of them. */
+ * \brief Of whole or finite real numbers: the same for any order of them. */
 template <typename TValue>
 class ExactSum
 {
@@ -25,39 +25,75 @@ public:
   void
   Add(TValue value, std::uint64_t times)
   {
-    Bits bits;
-    std::memcpy(&bits, &value, sizeof(bits));
-    const auto exponent = static_cast<std::size_t>(bits >> MantissaBits) & (Exponents - 1);
-    const Bits mantissa = (bits & ((Bits{ 1 } << MantissaBits) - 1)) | (Bits{ exponent > 0 } << MantissaBits);
-    const auto factor = std::signbit(value) ? -static_cast<std::int64_t>(times) : static_cast<std::int64_t>(times);
+    const bool    isNegative = value < TValue{ 0 };
+    std::uint64_t magnitude = 0;
+    std::size_t   exponent = 0;
+    if constexpr (IsWhole)
+    {
+      magnitude = isNegative ? 0 - static_cast<std::uint64_t>(value) : static_cast<std::uint64_t>(value);
+    }
+    else
+    {
+      Bits bits;
+      std::memcpy(&bits, &value, sizeof(bits));
+      exponent = static_cast<std::size_t>(bits >> MantissaBits) & (Exponents - 1);
+      magnitude = (bits & ((Bits{ 1 } << MantissaBits) - 1)) | (Bits{ exponent > 0 } << MantissaBits);
+    }
+    const auto factor = isNegative ? -static_cast<std::int64_t>(times) : static_cast<std::int64_t>(times);
     for (std::size_t part = 0; part < Parts; ++part)
     {
-      const Bits ofPart = (mantissa >> (part * PartBits)) & ((Bits{ 1 } << PartBits) - 1);
+      const std::uint64_t ofPart = (magnitude >> (part * PartBits)) & ((std::uint64_t{ 1 } << PartBits) - 1);
       m_Sums[part][exponent] += factor * static_cast<std::int64_t>(ofPart);
     }
   }
 
-  long double
-  Get() const
+  /** The sum over a number of values. */
+  double
+  GetMean(std::uint64_t count) const
   {
-    constexpr int least = std::numeric_limits<TValue>::min_exponent - std::numeric_limits<TValue>::digits;
-    long double   sum = 0.0L;
-    for (std::size_t exponent = 0; exponent < Exponents; ++exponent)
+    // Relative to the largest numbers: the sum may be beyond the range of numbers where the mean is not.
+    std::size_t top = Exponents - 1;
+    while (top > 0 && std::all_of(m_Sums.begin(), m_Sums.end(), [top](const auto & sums) { return sums[top] == 0; }))
+    {
+      --top;
+    }
+    double     sum = 0.0;
+    double     rest = 0.0; // that the sum lost by rounding (Neumaier)
+    const auto add = [&](std::int64_t term, int power) {
+      const double number = std::ldexp(static_cast<double>(term), power);
+      const double next = sum + number;
+      rest += std::abs(sum) >= std::abs(number) ? (sum - next) + number : (number - next) + sum;
+      sum = next;
+    };
+    for (std::size_t exponent = 0; exponent <= top; ++exponent)
     {
       for (std::size_t part = 0; part < Parts; ++part)
       {
-        // Numbers of exponent 0 have no leading bit, and are as small as numbers of exponent 1.
-        const int power = least + static_cast<int>(std::max<std::size_t>(exponent, 1) + part * PartBits) - 1;
-        sum += std::ldexp(static_cast<long double>(m_Sums[part][exponent]), power);
+        constexpr std::int64_t half = std::int64_t{ 1 } << 32; // halves of 64 bits are numbers without rounding
+        const int              power = GetPower(exponent) - GetPower(top) + static_cast<int>(part * PartBits);
+        add(m_Sums[part][exponent] / half, power + 32);
+        add(m_Sums[part][exponent] % half, power);
       }
     }
-    return sum;
+    const auto   number = static_cast<double>(count);
+    const double quotient = sum / number;
+    return std::ldexp(quotient + (std::fma(-quotient, number, sum) + rest) / number, GetPower(top));
   }
 
 private:
+  static constexpr bool IsWhole = std::is_integral<TValue>::value;
   using Bits = std::conditional_t<sizeof(TValue) == 4, std::uint32_t, std::uint64_t>;
-  static constexpr unsigned int MantissaBits = std::numeric_limits<TValue>::digits - 1;
-  static constexpr std::size_t  Exponents = std::size_t{ 1 } << (8 * sizeof(TValue) - 1 - MantissaBits);
+  static constexpr unsigned int MantissaBits =
+    IsWhole ? 8 * sizeof(TValue) - 1 : std::numeric_limits<TValue>::digits - 1;
+  static constexpr std::size_t Exponents = std::size_t{ 1 } << (8 * sizeof(TValue) - 1 - MantissaBits);
+
+  /** Of the last bit of a number. Exponent 0 has no leading bit, and is as small as exponent 1. */
+  static int
+  GetPower(std::size_t exponent)
+  {
+    constexpr int least = std::numeric_limits<TValue>::min_exponent - std::numeric_limits<TValue>::digits;
+    return IsWhole ? 0 : least + std::max(static_cast<int>(exponent), 1) - 1;
+  }
 
   /** Sums of so few bits hold 2 to the power of 36 values and more. */
   static constexpr unsigned int PartBits = 27;
@@ -85,12 +121,8 @@ public:
           m_Excluded += times;
           continue;
         }
-        m_Sum.Add(value, times);
       }
-      else
-      {
-        m_Sum += static_cast<long double>(value) * static_cast<long double>(times);
-      }
+      m_Sum.Add(value, times);
       m_Count += times;
       m_Minimum = std::min(m_Minimum, value);
       m_Maximum = std::max(m_Maximum, value);
@@ -120,16 +152,7 @@ public:
   double
   GetMean() const
   {
-    long double sum = 0.0L;
-    if constexpr (IsWhole)
-    {
-      sum = m_Sum;
-    }
-    else
-    {
-      sum = m_Sum.Get();
-    }
-    return static_cast<double>(sum / static_cast<long double>(m_Count));
+    return m_Sum.GetMean(m_Count);
   }
 
 private:
@@ -140,7 +163,7 @@ private:
   TValue        m_Minimum{ std::numeric_limits<TValue>::max() };
   TValue        m_Maximum{ std::numeric_limits<TValue>::lowest() };
 
-  std::conditional_t<IsWhole, long double, ExactSum<TValue>> m_Sum{};
+  ExactSum<TValue> m_Sum;
 };
 
 /** \class ValueBins

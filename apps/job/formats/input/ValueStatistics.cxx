@@ -7,7 +7,9 @@
 #include "ValueHistogram.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace medialvoxel
@@ -51,42 +53,71 @@ struct OtsuBin
   double                     explained{ 0.0 }; ///< share of the variance that is between the classes
 };
 
+/** |a b - c d|, whose products have 128 bits. */
+double
+GetDifference(std::uint64_t a, std::uint64_t b, std::uint64_t c, std::uint64_t d)
+{
+  struct Product
+  {
+    std::uint64_t high;
+    std::uint64_t low;
+  };
+  const auto multiply = [](std::uint64_t x, std::uint64_t y) {
+    constexpr unsigned int  half = 32;
+    constexpr std::uint64_t mask = 0xFFFFFFFF;
+    const std::uint64_t     low = (x & mask) * (y & mask);
+    const std::uint64_t     middle = (x >> half) * (y & mask) + (low >> half);
+    const std::uint64_t     other = (x & mask) * (y >> half) + (middle & mask);
+    const std::uint64_t     high = (x >> half) * (y >> half) + (middle >> half) + (other >> half);
+    return Product{ high, (other << half) | (low & mask) };
+  };
+  Product more = multiply(a, b);
+  Product less = multiply(c, d);
+  if (more.high < less.high || (more.high == less.high && more.low < less.low))
+  {
+    std::swap(more, less);
+  }
+  const std::uint64_t high = more.high - less.high - (more.low < less.low ? 1 : 0);
+  return std::ldexp(static_cast<double>(high), 64) + static_cast<double>(more.low - less.low);
+}
+
 OtsuBin
 FindOtsuBin(const std::vector<std::uint64_t> & counts)
 {
-  long double all = 0;
-  long double sum = 0;
-  long double squares = 0;
+  // Whole numbers of 64 bits hold them for up to 2^48 voxels.
+  std::uint64_t all = 0;
+  std::uint64_t sum = 0;
   for (std::size_t bin = 0; bin < counts.size(); ++bin)
   {
-    const long double ofBin = static_cast<long double>(counts[bin]) * static_cast<long double>(bin);
-    all += static_cast<long double>(counts[bin]);
-    sum += ofBin;
-    squares += ofBin * static_cast<long double>(bin);
+    all += counts[bin];
+    sum += counts[bin] * bin;
   }
-  long double                below = 0;
-  long double                sumBelow = 0;
-  long double                largest = 0;
+  const double               mean = static_cast<double>(sum) / static_cast<double>(all);
+  std::uint64_t              below = 0;
+  std::uint64_t              sumBelow = 0;
+  double                     variance = 0.0;
+  double                     largest = 0.0;
   std::optional<std::size_t> best;
-  for (std::size_t bin = 0; bin + 1 < counts.size(); ++bin)
+  for (std::size_t bin = 0; bin < counts.size(); ++bin)
   {
-    below += static_cast<long double>(counts[bin]);
-    sumBelow += static_cast<long double>(counts[bin]) * static_cast<long double>(bin);
-    if (below == 0 || counts[bin] == 0)
+    if (counts[bin] == 0)
     {
       continue; // as the bin before, whose threshold is lower
     }
-    const long double above = all - below;
-    const long double difference = sumBelow / below - (sum - sumBelow) / above;
-    const long double variance = below * above * difference * difference;
-    if (variance > largest)
+    below += counts[bin];
+    sumBelow += counts[bin] * bin;
+    const double distance = static_cast<double>(bin) - mean;
+    variance += static_cast<double>(counts[bin]) * (distance * distance);
+    const double difference = GetDifference(sumBelow, all, sum, below);
+    const double between =
+      below == all ? 0.0 : difference / static_cast<double>(below) * (difference / static_cast<double>(all - below));
+    if (between > largest)
     {
-      largest = variance;
+      largest = between;
       best = bin;
     }
   }
-  const long double variance = squares * all - sum * sum;
-  return { best, variance > 0 ? static_cast<double>(largest / variance) : 0.0 };
+  return { best, variance > 0.0 ? largest / (variance * static_cast<double>(all)) : 0.0 };
 }
 
 /** Whether a bin at an end of the range, the gap to the next one that has values, and the others are as with padding.

@@ -5,6 +5,7 @@
 #include "DicomTags.h"
 #include "HeaderParsing.h"
 #include "InflateReader.h"
+#include "Text.h"
 
 #include "itkMedialVoxelFileRegion.h"
 #include "itkMedialVoxelVector3.h"
@@ -57,12 +58,15 @@ ParseNumbers(const std::string & text)
 double
 GetRounding(const std::string & text)
 {
-  std::size_t most = 0;
+  constexpr std::size_t mostDigits = 300;
+  std::size_t           most = 0;
   for (std::size_t point = text.find('.'); point != std::string::npos; point = text.find('.', point + 1))
   {
     most = std::max(most, std::min(text.find_first_not_of("0123456789", point + 1), text.size()) - point - 1);
   }
-  return most == 0 || text.find_first_of("eE") != std::string::npos ? 0.0 : 0.5 * std::pow(10.0, -double(most));
+  return most == 0 || text.find_first_of("eE") != std::string::npos
+           ? 0.0
+           : 0.5 * GetPowerOfTen(-static_cast<int>(std::min(most, mostDigits)));
 }
 
 /** Distances of rows and of columns; nothing for an empty text. \throw std::runtime_error for anything else */

@@ -191,9 +191,8 @@ CheckSteps(const std::filesystem::path & input,
 double
 DropRounding(double distance)
 {
-  constexpr double digits = 12.0;
-  const double     scale = std::pow(10.0, digits - std::ceil(std::log10(distance)));
-  return std::round(distance * scale) / scale;
+  constexpr int digits = 12;
+  return *ParseDouble(FormatScientific(distance, digits - 1));
 }
 
 /** Slices that are shifted against each other, as by a tilted gantry, are no box. */
