@@ -33,7 +33,7 @@ FOLDERS = ("include", "src", "shell", "apps/job", "apps/medialvoxel", "python/na
 OBJECTS = ("src", "apps/job", "apps/medialvoxel", "python")
 
 MAPS = (
-    "--thickness-map t.mha --uncertainty-map u.mha --vectors v.mha --distance d.mha --local-thickness o.mha --thickness-csv t.csv "
+    "--thickness-map t.mha --uncertainty-map u.mha --vectors v.mha --distance d.mha --local-thickness o.mha "
     "--thin-below 2.5 --thick-above 6 --places p.csv --report r.json --html p.html --preview p.png"
 ).split()
 RUNS = {
@@ -192,6 +192,7 @@ class ExactSourcesTest(unittest.TestCase):
     @needs_nm
     def test_no_object_calls_them(self):
         objects = [path for folder in OBJECTS for path in (BUILD / folder).rglob("*.o")]
+        objects = [path for path in objects if "test" not in path.relative_to(BUILD).parts]
         symbols = symbols_of("--undefined-only", *objects)
         self.assertIn("memcpy", {name for _, name in symbols}, "symbols are not seen")
         self.assertEqual(forbidden(symbols), [])
