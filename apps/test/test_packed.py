@@ -130,7 +130,7 @@ class PackedTest(ProgramTestCase):
         for name, kind, known in (
             ("out.mha", "gzip", "on or none"), ("out.nrrd", "blosc-zstd", "on or gzip or none"), ("out.nii.gz", "none", "on or gzip"),
         ):  # fmt: skip
-            self.assert_fails(USAGE, [f"{name}: --compress {kind} is not for", f"has {known}\n"], *command, name, "--compress", kind)
+            self.assert_fails(USAGE, [f"{name}: --compress {kind} is not for", f"has {known} (see"], *command, name, "--compress", kind)
         for name in ("v.nii", "v.nii.gz"):
             parts = [name, "vectors are not written as .nii"]
             self.assert_fails(USAGE, parts, *command, "out.mha", "--vectors", name)
