@@ -327,10 +327,10 @@ TEST(Survey, TheStandardErrorIsThatOfSamples)
   std::mt19937               random(5);
   for (unsigned int cell = 0; cell < 8000; ++cell)
   {
-    const std::size_t   bin = 10 + random() % 7;
+    const auto          thickness = static_cast<float>(10 + random() % 7);
     const std::uint64_t area = ThicknessSums::AreaUnitsPerFace * (1 + cell % 3) / 2;
-    all.AddCell(bin, area);
-    samples[random() % 8].AddCell(bin, area);
+    all.AddCell(thickness, area);
+    samples[random() % 8].AddCell(thickness, area);
   }
   double squares = 0.0;
   double error = 0.0;

@@ -33,6 +33,10 @@ public:
   void
   AddWall(const itk::MedialVoxelWall & wall, double areaUnit);
 
+  /** \param area of a cell, in units */
+  void
+  AddCell(float thickness, std::uint64_t area);
+
   void
   Add(const ThicknessSums & other);
 
@@ -104,10 +108,6 @@ public:
   }
 
 private:
-  /** \param area of a cell, in units */
-  void
-  AddCell(float thickness, std::uint64_t area);
-
   LengthHistogram m_Cells;
   LengthHistogram m_Areas;             ///< in units
   std::uint64_t   m_SquaredAreas{ 0 }; ///< in units of 1024 by 1024, so that 2^40 cells fit
