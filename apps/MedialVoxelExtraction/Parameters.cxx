@@ -20,7 +20,10 @@ std::string
 GetUnit(const SlicerParameter & parameter, const OptionValue & value, const std::string & unit)
 {
   const bool isNumber = parameter.element == "double" || parameter.element == "integer";
-  return !value.choices.empty() ? CLI::detail::join(value.choices, "|") : isNumber ? "NUMBER" : unit;
+  return value.isFlag             ? ""
+         : !value.choices.empty() ? CLI::detail::join(value.choices, "|")
+         : isNumber               ? "NUMBER"
+                                  : unit;
 }
 
 /** Adds the parameters of the table. */
