@@ -82,10 +82,7 @@ ListViewRows()
     { PageInput, "", "type", "{input.type}" },
 
     { PageParameters, "", "thickness (tau)", "{parameters.thickness}" },
-    { PageParameters,
-      "parameters.max_thickness",
-      "thinner walls count as",
-      "{short parameters.min_thickness}" },
+    { PageParameters, "parameters.max_thickness", "thinner walls count as", "{short parameters.min_thickness}" },
     { PageParameters,
       "parameters.max_thickness",
       "maximum thickness",
