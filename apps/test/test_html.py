@@ -88,12 +88,12 @@ class HtmlTest(ProgramTestCase):
         self.run_program("extract", "in.mha", "out.mha", "--html", "r.html", "--lower", 72, "--min-thickness", 2)
         text = (self.folder / "r.html").read_text()
         words = Page(text).words
-        for name, value in (("minimum thickness", "2"), ("maximum thickness", "16"), ("largest pores left out", "32 voxels")):
+        for name, value in (("thinner walls count as", "2"), ("maximum thickness", "16"), ("largest pores left out", "32 voxels")):
             self.assertRegex(text, f'{name}</th><td class="text">{value}</td>')
         self.assertIn("medialvoxel extract in.mha out.mha --html r.html --lower 72 --min-thickness 2", words)
         self.assertRegex(RUN.search(text)[0], r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d")
-        self.assertIn("in units of the spacing", words)
-        self.assertNotIn("minimum thickness", Page(self.page("--lower", 72)).words)
+        self.assertIn("in voxels", words)
+        self.assertNotIn("thinner walls count as", Page(self.page("--lower", 72)).words)
 
     def headline(self, *arguments, source="in.mha"):
         return re.search("<h1>(.*)</h1>", self.page(*arguments, "--report", "r.json", source=source))[1]

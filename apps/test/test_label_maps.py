@@ -120,7 +120,9 @@ class LabelMapTest(ProgramTestCase):
             self.assertEqual(row["voxels"], volume.voxels.count(row["label"]))
             self.assertEqual(row["candidate_cells"], alone["counts"]["candidate_cells"])
             self.assertEqual(row["medial_cells"], alone["counts"]["medial_cells"])
-            self.assertEqual(row["thickness"], alone["thickness"])
+            # Objects have no place of the thinnest wall.
+            thickness = {name: value for name, value in alone["thickness"].items() if name != "thinnest"}
+            self.assertEqual(row["thickness"], thickness)
         for name in ("candidate_cells", "medial_cells", "boundary_voxels"):
             self.assertEqual(report["counts"][name], sum(run["report"]["counts"][name] for run in single.values()))
 

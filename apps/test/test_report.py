@@ -174,7 +174,7 @@ class ReportTest(ProgramTestCase):
         )
         share = 100 * report["counts"]["object_voxels"] / (24 * 20 * 16)
         self.assertEqual(rows["object"], f"{report['counts']['object_voxels']} voxels, {share:.2f} % of 24 x 20 x 16")
-        self.assertEqual(list(rows), ["object", "walls", "measured", "thin places", "no wall", "decided", "files", "run"])
+        self.assertEqual(list(rows), ["object", "walls", "thinnest", "measured", "thin places", "no wall", "decided", "files", "run"])
         self.assertLessEqual(len(table.splitlines()), 10)
         self.assertRegex(table, r"thin places +[0-9]+, area .* below 3, .* % of the sheet")
         self.assertEqual(rows["files"], "out.mha, r.json")

@@ -84,7 +84,7 @@ ListViewRows()
     { PageParameters, "", "thickness (tau)", "{parameters.thickness}" },
     { PageParameters,
       "parameters.max_thickness",
-      "walls count for the sheet as at least",
+      "thinner walls count as",
       "{short parameters.min_thickness}" },
     { PageParameters,
       "parameters.max_thickness",
