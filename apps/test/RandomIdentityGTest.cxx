@@ -71,6 +71,7 @@ WithLimits(TOptions options, const JobOptions & limits)
 {
   options.input = limits.input;
   options.raw = limits.raw;
+  options.spacing = limits.spacing;
   options.scratchFolder = limits.scratchFolder;
   options.memoryLimit = limits.memoryLimit;
   options.threads = limits.threads;
