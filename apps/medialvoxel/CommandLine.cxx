@@ -183,7 +183,7 @@ DefineCommandLine(CommandLine & line)
   line.examples[app.get()] = { "medialvoxel info part.mha --values",
                                "medialvoxel extract part.mha out.mha --lower otsu --html part.html" };
   app->footer("Exit status: 0 done, 1 failure, 2 wrong usage, 3 refused before the start,\n"
-              "4 corrupt input, 5 thin places (--fail-if-thin), 6 too little was measured to know,\n"
+              "4 corrupt input, 5 thin places (--fail-if-thin), 6 too little was measured,\n"
               "130 or 143 stopped by a signal.\n"
               "Help on a command: medialvoxel COMMAND --help");
   UseCompactHelp(line, *app);
