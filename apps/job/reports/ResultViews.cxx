@@ -61,7 +61,7 @@ OfPlaces(const std::string & kind, const std::string & side, const std::string &
   return "{" + path + ".number}, area {short " + path + ".area_beyond_limit} " + side + " {short " + path +
          ".limit}, {percent " + path + ".share_of_sheet} of the sheet[" + path + ".worst?; the " + extreme +
          " {short " + path + ".worst}, the largest {short " + path + ".places.0.area_beyond_limit}][" + path +
-         ".smaller>0?; {" + path + ".smaller} smaller ones left out]";
+         ".smaller>0?; without {" + path + ".smaller} of less than {short " + path + ".min_place_area}]";
 }
 
 } // namespace
