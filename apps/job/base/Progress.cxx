@@ -184,7 +184,8 @@ protected:
     const int         filled = std::clamp(static_cast<int>(fraction * width), 0, std::max(width, 0));
     const std::string bar = width < shortest ? "" : std::string(filled, '#') + std::string(width - filled, '.');
     const std::string line = bar.empty() ? text : this->GetName() + " [" + bar + "] " + text;
-    std::cerr << '\r' << (static_cast<int>(line.size()) > columns ? percent : line) << "\033[K" << std::flush;
+    const auto        fits = [columns](const std::string & shown) { return static_cast<int>(shown.size()) <= columns; };
+    std::cerr << '\r' << (fits(line) ? line : fits(percent) ? percent : "") << "\033[K" << std::flush;
     m_Drawn = true;
   }
 
