@@ -78,6 +78,17 @@ class PageBrowser:
         """The element as it is on the screen."""
         return numpy.asarray(Image.open(io.BytesIO(self.find(selector)[0].screenshot_as_png)).convert("RGB")).astype(int)
 
+    def settled_pixels(self):
+        """The view when it no longer changes, without the frame of the focus."""
+        seen = [None]
+
+        def is_settled():
+            seen.append(self.pixels()[4:-4, 4:-4])
+            return numpy.array_equal(*seen[-2:])
+
+        wait_until(is_settled, "the view to settle", SECONDS, 0.1)
+        return seen[-1]
+
     def press(self, *keys, shift=False):
         """Keys, on the view."""
         self.driver.execute_script("document.getElementById('view-canvas').focus()")

@@ -8,7 +8,6 @@ import unittest
 import numpy
 import volumes
 from page_browser import PageBrowser
-from processes import wait_until
 from test_page_view import PageCase
 
 
@@ -222,12 +221,12 @@ class BrowserTest(PageCase):
             pixels = {}
             for is_on in (False, True):
                 self.assertEqual(browser.find("#view-surface")[0].is_selected(), is_on)
-                pixels[is_on] = browser.pixels()[4:-4, 4:-4]  # without the frame of the focus
+                pixels[is_on] = browser.settled_pixels()
                 browser.press("s")
             self.assertGreater((abs(pixels[True] - pixels[False]).max(axis=2) > 20).mean(), 0.1, "the surface is drawn")
             spread = {is_on: values.max(axis=2) - values.min(axis=2) for is_on, values in pixels.items()}
             self.assertGreater((spread[True] > 30).mean(), 0.6 * (spread[False] > 30).mean(), "the sheet is seen through it")
-            wait_until(lambda: numpy.array_equal(browser.pixels()[4:-4, 4:-4], pixels[False]), "the surface to be off again", 20, 0.2)
+            self.assertTrue(numpy.array_equal(browser.settled_pixels(), pixels[False]), "off again")
         browser.find("#view-surface")[0].click()
         triangles = int(browser.wait("partTriangles")["partTriangles"])
         self.assertGreater(triangles, 1000)
