@@ -44,8 +44,7 @@ struct WallLocation
   using Point = std::array<double, 3>;
   using Index = std::array<std::int64_t, 3>;
 
-  double                thickness{ 0.0 };
-  std::optional<double> uncertainty;       ///< half of the 95 % interval; unset where it is not known
+  std::optional<double> uncertainty;       ///< of its thickness: half of the 95 % interval; unset where it is not known
   Point                 center{};          ///< of the cell
   Index                 index{};           ///< of the cell
   Point                 sideA{};           ///< center of the boundary voxel on one side of the wall

@@ -74,13 +74,6 @@ LengthHistogram::GetStandardDeviation() const
 }
 
 double
-LengthHistogram::GetMinimum() const
-{
-  const auto first = std::find_if(m_Numbers.begin(), m_Numbers.end(), [](const auto number) { return number > 0; });
-  return m_Total == 0 ? 0.0 : static_cast<double>(first - m_Numbers.begin()) * m_BinWidth;
-}
-
-double
 LengthHistogram::GetPercentile(const double percent) const
 {
   if (!(percent >= 0.0) || percent > 100.0)

@@ -14,9 +14,9 @@ namespace medialvoxel
  * \brief Counts lengths, rounded to multiples of a bin width, and derives their statistics.
  *
  * It keeps whole numbers in fixed bins. Their sums do not depend on the order, so every division of the work gives
- * the same bits; sums of lengths would not. The price is the rounding: percentiles are multiples
- * of the width, and the mean is off by less than half of it, mostly far less. Bins are centered on the
- * multiples, so whole voxels come out exactly. */
+ * the same bits; sums of lengths would not. The price is the rounding: percentiles are multiples of the width,
+ * and the mean is off by less than half of it, mostly far less. Bins are centered on the multiples, so whole voxels
+ * come out exactly. */
 class LengthHistogram
 {
 public:
@@ -64,8 +64,6 @@ public:
   GetMean() const;
   double
   GetStandardDeviation() const;
-  double
-  GetMinimum() const;
 
   /** The smallest length that at least \a percent of all lengths do not exceed; \a percent from 0 to 100. */
   double

@@ -37,7 +37,6 @@ PlaceToJson(const WallPlace & place, unsigned int dimension)
              { "cells", place.cells }, { "minimum", place.minimum },
              { "mean", place.mean },   { "maximum", place.maximum } };
   json.update(LocationToJson(place, dimension));
-  json.erase("thickness"); // the minimum, or the maximum
   json.update(Json{ { "first", ToJson(place.first, dimension) }, { "last", ToJson(place.last, dimension) } });
   return json;
 }
@@ -50,10 +49,13 @@ SummaryToJson(const PlaceSummary & summary)
   {
     places.push_back(PlaceToJson(summary.places[i], summary.dimension));
   }
-  const auto worst =
-    std::min_element(summary.places.begin(), summary.places.end(), [&](const WallPlace & a, const WallPlace & b) {
-      return summary.kind == PlaceKind::Thin ? a.thickness < b.thickness : a.thickness > b.thickness;
-    });
+  Json worst;
+  for (const WallPlace & place : summary.places)
+  {
+    const double length = summary.kind == PlaceKind::Thin ? place.minimum : place.maximum;
+    const bool   isWorse = worst.is_null() || (summary.kind == PlaceKind::Thin ? length < worst : length > worst);
+    worst = isWorse ? Json(length) : worst;
+  }
   return { { "limit", summary.limit },
            { "grow_limit", summary.growLimit },
            { "min_place_area", summary.minimumPlaceArea },
@@ -61,7 +63,7 @@ SummaryToJson(const PlaceSummary & summary)
            { "cells", summary.cells },
            { "area", summary.area },
            { "area_beyond_limit", summary.areaBeyond },
-           { "worst", worst == summary.places.end() ? Json(nullptr) : Json(worst->thickness) },
+           { "worst", worst },
            { "smaller", summary.smaller },
            { "places", places } };
 }
@@ -83,8 +85,7 @@ ForEachAxis(const unsigned int dimension, const std::string & before, const std:
 Json
 LocationToJson(const WallLocation & wall, unsigned int dimension)
 {
-  return { { "thickness", wall.thickness },
-           { "uncertainty", wall.uncertainty ? Json(*wall.uncertainty) : Json(nullptr) },
+  return { { "uncertainty", wall.uncertainty ? Json(*wall.uncertainty) : Json(nullptr) },
            { "center", ToJson(wall.center, dimension) },
            { "index", ToJson(wall.index, dimension) },
            { "sides", { ToJson(wall.sideA, dimension), ToJson(wall.sideB, dimension) } },

@@ -92,7 +92,6 @@ LocateWall(const PlaceCell & cell, const PlaceGrid & grid, const VolumeGeometry 
   constexpr double            halfVoxel = 0.5;
   const itk::MedialVoxelIndex index = grid.GetCell(cell.key);
   WallLocation                wall;
-  wall.thickness = static_cast<double>(cell.thickness);
   if (!std::isnan(cell.uncertainty))
   {
     wall.uncertainty = static_cast<double>(cell.uncertainty);

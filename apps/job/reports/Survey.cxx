@@ -260,12 +260,12 @@ Survey::AddWall(const itk::MedialVoxelClassifiedTile & tile,
                 TileSums &                             sums) const
 {
   sums.walls.push_back(wall);
-  PlaceCell found{ m_Cells.GetKey(cell), wall.thickness };
-  if (wall.IsMeasured() && found.IsWorse(sums.thinnest, PlaceKind::Thin))
+  if (wall.IsMeasured() && wall.thickness <= sums.thinnest.thickness)
   {
+    PlaceCell found{ m_Cells.GetKey(cell), wall.thickness };
     found.uncertainty = wall.uncertainty;
     TakeSides(found, tile, cell);
-    sums.thinnest = found;
+    TakeThinner(sums.thinnest, found);
   }
   if (m_Settings.picture)
   {
