@@ -260,12 +260,16 @@ Survey::AddWall(const itk::MedialVoxelClassifiedTile & tile,
                 TileSums &                             sums) const
 {
   sums.walls.push_back(wall);
+  // Only a cell that could be the thinnest wall gets a key.
   if (wall.IsMeasured() && wall.thickness <= sums.thinnest.thickness)
   {
     PlaceCell found{ m_Cells.GetKey(cell), wall.thickness };
-    found.uncertainty = wall.uncertainty;
-    TakeSides(found, tile, cell);
-    TakeThinner(sums.thinnest, found);
+    if (found.IsWorse(sums.thinnest, PlaceKind::Thin))
+    {
+      found.uncertainty = wall.uncertainty;
+      TakeSides(found, tile, cell);
+      sums.thinnest = found;
+    }
   }
   if (m_Settings.picture)
   {
