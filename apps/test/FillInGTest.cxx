@@ -14,7 +14,7 @@ namespace
 {
 
 const Json Result = Json::parse(R"({
-  "input": { "file": "/a/<b>.mha", "unit": null }, "parameters": {},
+  "input": { "file": "/a/<b>.mha", "unit": null, "spacing": [1, 0.5] }, "parameters": {},
   "size": [7, 8, 9], "length": 0.123456, "none": null, "no": false, "zero": 0, "word": "", "count": 3, "all": 4,
   "points": [[1.5, 2], [3, 4, 5]], "list": [{ "name": "a", "x": 1 }, { "x": 2 }, { "name": null, "x": 3 }],
   "kinds": { "thin": { "x": 5 }, "thick": null } })");

@@ -178,9 +178,9 @@ class WarningTest(ProgramTestCase):
         for name in ("thickness", "min-thickness", "max-thickness"):
             code = "unusual_" + name.replace("-", "_")
             for spacing, length, expected in (
-                (0.0195, 3, "3 in units of the spacing is 153.8 voxels"),
-                (0.0195, "154vx", "3.003 in units of the spacing is 154 voxels"),
-                (100, 3, "3 in units of the spacing is 0.03 voxels"),
+                (0.0195, 3, "3 units of the spacing is 153.8 voxels"),
+                (0.0195, "154vx", "3.003 units of the spacing is 154 voxels"),
+                (100, 3, "3 units of the spacing is 0.03 voxels"),
                 (0.0195, 0.06, None),
                 (100, "3vx", None),
                 (1, 60, None),

@@ -9,6 +9,7 @@
 #include "itkMedialVoxelFileRegion.h"
 #include "itkMedialVoxelGrid.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -47,7 +48,8 @@ struct VolumeGeometry
   std::string
   DescribeUnit() const
   {
-    return inMillimeters ? "mm" : "units of the spacing";
+    const bool isOne = std::all_of(spacing.begin(), spacing.end(), [](const double length) { return length == 1.0; });
+    return inMillimeters ? "mm" : isOne ? "voxels" : "units of the spacing";
   }
 
   /** Aligns the axes with the axes of space. */

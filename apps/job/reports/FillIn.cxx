@@ -4,6 +4,7 @@
 
 #include "EscapeHtml.h"
 #include "Text.h"
+#include "VolumeHeader.h"
 
 #include <algorithm>
 #include <array>
@@ -122,15 +123,14 @@ FormatColor(const Values & values)
   });
 }
 
-/** The unit of lengths. */
 std::string
 DescribeUnit(const Json & result)
 {
-  const Json & input = result["input"];
-  const Json   spacing = input.value("spacing", Json::array());
-  const bool   isOne = !spacing.empty() && std::count(spacing.begin(), spacing.end(), Json(1.0)) ==
-                                           static_cast<std::ptrdiff_t>(spacing.size());
-  return !input["unit"].is_null() ? "mm" : isOne ? "voxels" : "units of the spacing";
+  const Json &   input = result["input"];
+  VolumeGeometry geometry;
+  geometry.spacing = input.value("spacing", std::vector<double>{});
+  geometry.inMillimeters = !input["unit"].is_null();
+  return geometry.DescribeUnit();
 }
 
 struct Format

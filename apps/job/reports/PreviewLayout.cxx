@@ -12,7 +12,7 @@ namespace
 
 constexpr double       LongestSide = 1600.0;
 constexpr double       LargestVoxel = 8.0;            // pixels
-constexpr unsigned int LeastWidth = 72 * TextAdvance; // of either legend with the longest text of a scale bar
+constexpr unsigned int LeastWidth = 79 * TextAdvance; // of either legend with the longest text of a scale bar
 
 /** Slices across z and y below each other at the left, the projection and the slice across x at the right. */
 PreviewLayout

@@ -65,8 +65,7 @@ DrawScaleBar(Canvas & canvas, unsigned int x, unsigned int y, double pixelsPerUn
   canvas.FillRectangle({ x, y + TextHeight / 2 - 1, width, 3 }, PreviewTextColor);
   canvas.FillRectangle({ x, y, 2, TextHeight }, PreviewTextColor);
   canvas.FillRectangle({ x + width - 2, y, 2, TextHeight }, PreviewTextColor);
-  canvas.DrawText(
-    x + width + TextAdvance, y, FormatNumber(length) + (geometry.inMillimeters ? " mm" : " units"), PreviewTextColor);
+  canvas.DrawText(x + width + TextAdvance, y, FormatNumber(length) + " " + geometry.DescribeUnit(), PreviewTextColor);
 }
 
 } // end namespace medialvoxel

@@ -30,9 +30,9 @@ public:
     return GetMapColor((length - m_Range.low) / (m_Range.high - m_Range.low));
   }
 
-  /** Draws a bar with the lengths of its ends; returns where it ends. */
+  /** Draws a bar with the lengths of its ends, whose unit the scale bar behind it tells; returns where it ends. */
   unsigned int
-  Draw(Canvas & canvas, unsigned int x, unsigned int y, const std::string & unit) const
+  Draw(Canvas & canvas, unsigned int x, unsigned int y) const
   {
     constexpr unsigned int width = 128;
     const auto             write = [&](const std::string & text) {
@@ -45,7 +45,7 @@ public:
       canvas.FillRectangle({ x + i, y, 1, TextHeight }, GetMapColor(i / (width - 1.0)));
     }
     x += width + TextAdvance;
-    write(FormatShort(m_Range.high) + " " + unit);
+    write(FormatShort(m_Range.high));
     return x + TextAdvance;
   }
 
@@ -108,8 +108,7 @@ DrawThicknessPreview(const VoxelOutput &    labels,
                      const VoxelOutput &    thicknesses,
                      const VolumeGeometry & geometry,
                      const Survey &         survey,
-                     const ColorRange &     colors,
-                     const std::string &    unit)
+                     const ColorRange &     colors)
 {
   const PreviewLayout     layout = ArrangePreview(geometry);
   const std::vector<View> views = ChooseViews(geometry, survey);
@@ -136,7 +135,7 @@ DrawThicknessPreview(const VoxelOutput &    labels,
   }
   const unsigned int y = layout.height - TextHeight - PreviewGap;
   const unsigned int x = DrawLegendEntry(canvas, PreviewGap, y, ObjectColor, "Object");
-  DrawScaleBar(canvas, scale.Draw(canvas, x, y, unit), y, layout.pixelsPerUnit, geometry);
+  DrawScaleBar(canvas, scale.Draw(canvas, x, y), y, layout.pixelsPerUnit, geometry);
   return canvas;
 }
 

@@ -20,15 +20,13 @@ GetThicknessPreviewMemory(const VolumeGeometry & geometry);
 
 /** Draws a finished thickness map in the views of DrawPreview(): object gray, medial cells in colors of the thickness;
  * unpaired cells are object. Where more cells fall together the thickest counts, in the projection the thickest along
- * the ray.
- * \param unit of the lengths, in capital letters */
+ * the ray. */
 Canvas
 DrawThicknessPreview(const VoxelOutput &    labels,
                      const VoxelOutput &    thicknesses,
                      const VolumeGeometry & geometry,
                      const Survey &         survey,
-                     const ColorRange &     colors,
-                     const std::string &    unit);
+                     const ColorRange &     colors);
 
 } // end namespace medialvoxel
 

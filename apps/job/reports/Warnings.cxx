@@ -52,10 +52,10 @@ Length
 MeasureLength(const char * name, double value, const VolumeHeader & input)
 {
   const double      spacing = GetSmallestSpacing(input.geometry);
-  const std::string unit = (input.geometry.inMillimeters ? " " : " in ") + input.geometry.DescribeUnit();
+  const std::string unit = input.geometry.DescribeUnit();
   Length            length{ name, value, value / spacing, "" };
-  length.text =
-    std::string("the ") + name + " of " + FormatShort(value) + unit + " is " + FormatShort(length.voxels) + " voxels";
+  length.text = std::string("the ") + name + " of " + FormatShort(value) + " " + unit;
+  length.text += unit == "voxels" ? "" : " is " + FormatShort(length.voxels) + " voxels";
   return length;
 }
 
