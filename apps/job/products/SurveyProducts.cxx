@@ -173,8 +173,8 @@ public:
     m_Preview = m_Pictures.labels;
     if (const VoxelOutput * const thicknesses = end.outputs.FindVolume("thickness_map"))
     {
-      const ColorRange   colors = m_Options.colorRange.value_or(GetColorRange(m_Survey->GetSums().GetAreas()));
-      const Canvas       other = DrawThicknessPreview(labels, *thicknesses, geometry, *m_Survey, colors);
+      const ColorRange colors = m_Options.colorRange.value_or(GetColorRange(m_Survey->GetSums().GetAreas()));
+      const Canvas     other = DrawThicknessPreview(labels, *thicknesses, geometry, *m_Survey, colors);
       m_Pictures.thicknesses = other.EncodePng();
       m_Preview = JoinCanvases(canvas, other).EncodePng();
     }
