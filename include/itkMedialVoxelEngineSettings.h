@@ -44,6 +44,9 @@ struct MedialVoxel_EXPORT MedialVoxelSheetExtraction
   /** Measure the walls at all medial cells. */
   bool measuresThickness{ false };
 
+  /** Find the geodesic distance of the pair of each cell. */
+  bool findsImportance{ false };
+
   /** Measure walls on the gray values of the voxels; unset: on the object. */
   std::optional<GrayRange> grayRange;
 

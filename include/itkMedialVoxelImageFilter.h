@@ -175,6 +175,22 @@ public:
     return dynamic_cast<ThicknessImageType *>(this->ProcessObject::GetOutput(ThicknessName));
   }
 
+  /** Produce the importance output. Default off. */
+  virtual void
+  SetGenerateImportance(bool generate);
+  itkGetConstMacro(GenerateImportance, bool);
+  itkBooleanMacro(GenerateImportance);
+
+  /** Length of the shortest path on the boundary between the two points that decide a cell, physical when
+   * UseImageSpacing is on, otherwise in voxels; at most pi / 2 times the largest thickness, zero at trivial cells and
+   * where no corner is object. The cells from pi / 2 times a thickness on are the medial cells for this thickness. Null
+   * unless GenerateImportance is on. */
+  ThicknessImageType *
+  GetImportanceOutput()
+  {
+    return dynamic_cast<ThicknessImageType *>(this->ProcessObject::GetOutput(ImportanceName));
+  }
+
   using Superclass::MakeOutput;
   ProcessObject::DataObjectPointer
   MakeOutput(const ProcessObject::DataObjectIdentifierType & name) override;
@@ -212,6 +228,7 @@ private:
   static constexpr const char * VectorDistanceName = "VectorDistance";
   static constexpr const char * ThicknessName = "Thickness";
   static constexpr const char * UncertaintyName = "Uncertainty";
+  static constexpr const char * ImportanceName = "Importance";
 
   /** Create a named output when it is switched on, remove it when it is switched off. */
   void
@@ -221,6 +238,7 @@ private:
   BoundaryEnum m_VectorDistanceBoundary{ BoundaryEnum::Object };
   bool         m_GenerateThickness{ false };
   bool         m_GenerateUncertainty{ false };
+  bool         m_GenerateImportance{ false };
 
   /** Observers see each tile with its boundary points, and must outlive the updates. Their memory counts for
    * WorkingMemoryLimit. */

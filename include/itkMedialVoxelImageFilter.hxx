@@ -45,6 +45,13 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::SetGenerateUncertainty(const 
 
 template <typename TInputImage, typename TOutputImage>
 void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::SetGenerateImportance(const bool generate)
+{
+  this->SwitchOutput(m_GenerateImportance, generate, ImportanceName);
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
 MedialVoxelImageFilter<TInputImage, TOutputImage>::SwitchOutput(bool & isOn, const bool generate, const char * name)
 {
   if (generate == isOn)
@@ -71,7 +78,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::MakeOutput(const ProcessObjec
   {
     return VectorImageType::New().GetPointer();
   }
-  if (name == ThicknessName || name == UncertaintyName)
+  if (name == ThicknessName || name == UncertaintyName || name == ImportanceName)
   {
     return ThicknessImageType::New().GetPointer();
   }
@@ -120,6 +127,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GenerateOutputInformation()
   {
     this->GetUncertaintyOutput()->SetOrigin(output->GetOrigin());
   }
+  if (m_GenerateImportance)
+  {
+    this->GetImportanceOutput()->SetOrigin(output->GetOrigin());
+  }
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -129,6 +140,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GetTask(const MedialVoxelGrid
   MedialVoxelSheetExtraction extraction;
   extraction.parameters = this->GetParameters(grid, this->GetNeededMaximum());
   extraction.measuresThickness = m_GenerateThickness || m_GenerateUncertainty;
+  extraction.findsImportance = m_GenerateImportance;
   if (m_GenerateVectorDistance)
   {
     extraction.vectorBoundary = m_VectorDistanceBoundary;
@@ -160,6 +172,11 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::TakeTile(const MedialVoxelTil
     ThicknessImageType & uncertainty = *this->GetUncertaintyOutput();
     tile.WriteUncertainty(this->FirstPixelOf(uncertainty, tile.box), this->StridesOf(uncertainty));
   }
+  if (m_GenerateImportance)
+  {
+    ThicknessImageType & importance = *this->GetImportanceOutput();
+    tile.WriteImportance(this->FirstPixelOf(importance, tile.box), this->StridesOf(importance));
+  }
   if (m_GenerateVectorDistance)
   {
     this->WriteVectors(*this->GetVectorDistanceOutput(), tile);
@@ -189,6 +206,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream & os, 
   os << indent << "VectorDistanceBoundary: " << m_VectorDistanceBoundary << std::endl;
   os << indent << "GenerateThickness: " << (m_GenerateThickness ? "On" : "Off") << std::endl;
   os << indent << "GenerateUncertainty: " << (m_GenerateUncertainty ? "On" : "Off") << std::endl;
+  os << indent << "GenerateImportance: " << (m_GenerateImportance ? "On" : "Off") << std::endl;
   const MedialVoxelScan scan = this->GetScanResult().scan.value_or(MedialVoxelScan{});
   os << indent << "Scan: background " << scan.background << ", material " << scan.material << ", blur " << scan.blur
      << ", noise " << scan.noise << "; " << this->GetScanResult().reason << std::endl;

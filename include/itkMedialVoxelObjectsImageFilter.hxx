@@ -222,9 +222,9 @@ MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() 
   {
     itkExceptionMacro("The objects of a label map are not smoothed; Smoothing must be Off.");
   }
-  if (this->GetGenerateVectorDistance())
+  if (this->GetGenerateVectorDistance() || this->GetGenerateImportance())
   {
-    itkExceptionMacro("Vectors are for one object; set ObjectValue of MedialVoxelImageFilter instead.");
+    itkExceptionMacro("Vectors and importance are for one object; set ObjectValue of MedialVoxelImageFilter instead.");
   }
   for (const std::int64_t label : m_ObjectLabels)
   {

@@ -124,6 +124,9 @@ public:
   /** Local thickness of the voxels, x fastest; 0 in background. */
   const std::vector<float> * localThickness{ nullptr };
 
+  /** Geodesic distance of the pair of each cell, x fastest; 0 where it is trivial. */
+  const std::vector<float> * importance{ nullptr };
+
   /** The cells whose walls were measured, and the walls. */
   const std::vector<MedialVoxelCellRow> * rows{ nullptr };
   const std::vector<MedialVoxelWall> *    walls{ nullptr };
@@ -175,6 +178,10 @@ public:
   void
   WriteLocalThickness(float * first, const MedialVoxelStrides & strides) const;
 
+  /** 0 at trivial cells and where no corner is object. */
+  void
+  WriteImportance(float * first, const MedialVoxelStrides & strides) const;
+
   /** Signed distances to the nearest boundary voxels, NaN without one. A tile of distances is never empty. */
   void
   WriteDistances(const MedialVoxelDistanceScale & scale, float * first, const MedialVoxelStrides & strides) const;
@@ -182,6 +189,9 @@ public:
 private:
   void
   WriteLengths(const MedialVoxelDistanceScale & scale, float * first, const MedialVoxelStrides & strides) const;
+
+  void
+  WriteValues(const std::vector<float> * values, float * first, const MedialVoxelStrides & strides) const;
 
   template <typename TGetValue>
   void

@@ -237,6 +237,7 @@ class LocalThicknessTest(ProgramTestCase):
             (["--local-thickness-method", "no effect", "--local-thickness"], ("--local-thickness-method", "wall")),
             (["--local-thickness-method", "'ball'", "wall"], (*local, "--local-thickness-method", "ball")),
             (["labels of several objects", "a local thickness"], (*local, "--labels", "all")),
+            (["labels of several objects", "an importance"], ("--importance", "i.mha", "--labels", "all")),
         ):
             self.assert_fails(USAGE, words, "extract", "in.mha", "o.mha", *options)
             self.assertFalse((self.folder / "o.mha").exists())

@@ -97,6 +97,7 @@ def extract(
     max_pore_size: int | None = None,
     thickness_map: bool = True,
     uncertainty: bool = False,
+    importance: bool = False,
     vectors: bool = False,
     vector_boundary: Literal["object", "background"] = "object",
     sub_voxel: bool | None = None,
@@ -122,11 +123,14 @@ def extract(
     call = _Call(array, spacing)
     separate = labels is not None
     thickness_map, uncertainty = read_flag("thickness_map", thickness_map), read_flag("uncertainty", uncertainty)
-    vectors = read_flag("vectors", vectors) and not separate
+    vectors, importance = (
+        read_flag(name, value) and not separate for name, value in (("vectors", vectors), ("importance", importance))
+    )
     outputs: dict[str, Any] = {
         "labels": call.make(np.uint8),
         "thickness": call.make(np.float32) if thickness_map else None,
         "uncertainty": call.make(np.float32) if uncertainty else None,
+        "importance": call.make(np.float32) if importance else None,
         "vectors": call.make_vectors(vectors),
         "objects": call.make(call.values.dtype) if separate else None,
     }
@@ -138,6 +142,7 @@ def extract(
         "labels": labels,
         "thickness_map": "thickness.mha" if thickness_map else None,
         "uncertainty_map": "uncertainty.mha" if uncertainty else None,
+        "importance": "importance.mha" if importance else None,
         "sub_voxel": sub_voxel,
         "materials": materials,
         "vectors": "vectors.mha" if vectors else None,

@@ -35,7 +35,7 @@ class _Control(ctypes.Structure):
 
 
 class _Outputs(ctypes.Structure):
-    _fields_ = [(name, ctypes.c_void_p) for name in ("labels", "thickness", "uncertainty", "vectors", "distance", "objects")]
+    _fields_ = [(name, ctypes.c_void_p) for name in ("labels", "thickness", "uncertainty", "importance", "vectors", "distance", "objects")]
 
 
 class _Mesh(ctypes.Structure):

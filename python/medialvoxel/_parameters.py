@@ -33,6 +33,7 @@ _TEXTS = {
     "max_pore_size": "Largest pore or grain that is left out, from 0 to 1000000 voxels; default 32 with automatic thickness, otherwise 0.",
     "thickness_map": "Make `thickness` and `rims` too, of 5 bytes for each voxel.",
     "uncertainty": "Make this output too, of 4 bytes for each voxel; it needs `lower` or `upper`, and walls that can be fitted.",
+    "importance": "Make this output too, of 4 bytes for each voxel; not with `labels`.",
     "vectors": "Make this output too, of 12 bytes for each voxel.",
     "extract.vectors": "Make this output too, of 12 bytes for each voxel; not with `labels`.",
     "vector_boundary": "Voxels that vectors lead to: those of the object, or of the background.",

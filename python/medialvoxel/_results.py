@@ -57,6 +57,10 @@ class Medial(_Outputs):
     uncertainty : NDArray[float32]
         Half of the interval that holds the thickness in 95 % of the cases; NaN at medial cells where it is not known, 0
         elsewhere. With ``uncertainty=True``.
+    importance : NDArray[float32]
+        Length of the shortest path on the boundary between the two points that decide a cell, at most pi / 2 times the largest
+        thickness; 0 at trivial cells. The cells from pi / 2 times a thickness on are the medial cells for that thickness. With
+        ``importance=True``.
     vectors : NDArray[float32]
         With a last axis (z, y, x): from each object voxel to the nearest boundary voxel. With ``vectors=True``.
     objects : NDArray
@@ -87,6 +91,7 @@ class Medial(_Outputs):
         "thickness": "thickness_map=True",
         "rims": "thickness_map=True",
         "uncertainty": "uncertainty=True",
+        "importance": "importance=True, without labels",
         "vectors": "vectors=True, without labels",
         "objects": "labels",
     }
@@ -95,6 +100,7 @@ class Medial(_Outputs):
     thickness: NDArray[np.float32]
     rims: NDArray[np.bool_]
     uncertainty: NDArray[np.float32]
+    importance: NDArray[np.float32]
     vectors: NDArray[np.float32]
     objects: NDArray[Any]
     counts: dict[str, int]

@@ -39,6 +39,7 @@ struct MedialVoxelOutputs
   std::uint8_t * labels;
   float *        thickness;
   float *        uncertainty;
+  float *        importance;
   float *        vectors;
   float *        distance;
   void *         objects; ///< of the type of the array

@@ -32,6 +32,7 @@ MakeExtraction(const ArrayEngine & engine, const ArrayCall & call, const Extract
   itk::MedialVoxelSheetExtraction extraction;
   extraction.parameters = GetParameters(options, engine.GetGrid());
   extraction.measuresThickness = call.outputs.thickness != nullptr || call.outputs.uncertainty != nullptr;
+  extraction.findsImportance = call.outputs.importance != nullptr;
   if (call.outputs.vectors != nullptr)
   {
     extraction.vectorBoundary = options.vectorBoundary;
@@ -90,6 +91,10 @@ ExtractOne(const ArrayCall & call, ExtractOptions options)
     if (outputs.uncertainty != nullptr)
     {
       tile.WriteUncertainty(engine.PlaceOf(outputs.uncertainty, tile.box), strides);
+    }
+    if (outputs.importance != nullptr)
+    {
+      tile.WriteImportance(engine.PlaceOf(outputs.importance, tile.box), strides);
     }
     if (outputs.vectors != nullptr)
     {

@@ -11,7 +11,7 @@ import medialvoxel
 from support import Folder, run
 
 # What an array has in place of options, and keywords that say whether an output is made.
-OF_ARRAYS = {"array", "spacing", "progress", "uncertainty", "vectors"}
+OF_ARRAYS = {"array", "spacing", "progress", "uncertainty", "importance", "vectors"}
 OTHER_NAMES = {"local_thickness_method": "method"}
 
 

@@ -117,6 +117,18 @@ class Results(Folder):
                     else:
                         self.assertFalse(hasattr(found, "uncertainty"))
 
+    def test_importance_is_that_of_the_program(self):
+        output = self.folder / "importance.mha"
+        for keywords, options in (({}, []), ({"thickness": 3.0}, ["--thickness=3"])):
+            self.program("extract", scene(), f"--importance={output}", "--lower=40", *options)
+            found = medialvoxel.extract(scene(), spacing=SPACING, lower=40, importance=True, **keywords)
+            self.assert_same(found.importance, read(output))
+        for thickness in (1.6, 2.2, 3.0):
+            sheet = medialvoxel.extract(scene(), spacing=SPACING, lower=40, thickness=thickness)
+            limit = np.float32(np.pi / 2 * thickness)
+            self.assertGreater(np.count_nonzero(sheet.medial), 100)
+            np.testing.assert_array_equal(found.importance >= limit, sheet.medial)
+
     def test_values_without_a_scan_are_measured_on_the_object(self):
         values = scene().astype("uint8")
         found = medialvoxel.extract(values, lower=40, upper=90)
@@ -262,7 +274,8 @@ class Results(Folder):
     def test_outputs_that_are_not_wanted(self):
         found = medialvoxel.extract(scene(), lower=40, thickness_map=False)
         for name, keyword in (("thickness", "thickness_map=True"), ("rims", "thickness_map=True"), ("vectors", "vectors=True"),
-                              ("objects", "labels"), ("uncertainty", "uncertainty=True")):  # fmt: skip
+                              ("objects", "labels"), ("uncertainty", "uncertainty=True"),
+                              ("importance", "importance=True, without labels")):  # fmt: skip
             with self.assertRaisesRegex(AttributeError, f"Medial has no {name}; ask for it by {keyword}"):
                 getattr(found, name)
         with self.assertRaisesRegex(AttributeError, "Distances has no vectors; ask for it by vectors=True"):

@@ -28,6 +28,10 @@ GetSettingsOf(const MedialVoxelGrid & grid, const MedialVoxelSheetExtraction & e
 {
   auto settings = MedialVoxelSlabWalker::Settings::ForClassification(
     grid, extraction.parameters, extraction.vectorBoundary == MedialVoxelBoundary::Object);
+  if (extraction.findsImportance)
+  {
+    settings.bytesPerVoxel += MedialVoxelImportance::BytesPerVoxel + sizeof(float);
+  }
   if (extraction.KeepsRows())
   {
     settings.bytesPerVoxel += MedialVoxelTileWallsBytesPerVoxel + extraction.observerBytesPerVoxel;

@@ -31,6 +31,8 @@ struct MedialVoxelExtractionTask::TileWorkspace : public Workspace
   MedialVoxelThickness::Memory           thickness;
   std::vector<MedialVoxelWall>           walls;
   MedialVoxelGrayThickness::Workspace    fits;
+  MedialVoxelImportance::Workspace       paths;
+  std::vector<float>                     importance;
 
   /** Of each observer. */
   std::vector<std::unique_ptr<MedialVoxelTileObserver::Workspace>> observers;
@@ -43,6 +45,10 @@ MedialVoxelExtractionTask::MedialVoxelExtractionTask(const MedialVoxelGrid &    
   , m_Classifier(grid, settings.parameters)
   , m_Thickness(grid)
 {
+  if (settings.findsImportance)
+  {
+    m_Importance.emplace(grid, settings.parameters);
+  }
   if (settings.grayRange)
   {
     m_GrayThickness.emplace(grid, settings.grayRange->lower, settings.grayRange->upper, settings.grayRange->scan);
@@ -140,7 +146,11 @@ MedialVoxelExtractionTask::Extract(const MedialVoxelBox &          box,
   {
     return missing;
   }
-  missing = this->MeasureWalls(tile);
+  missing = this->FindImportance(tile);
+  if (missing.IsEmpty())
+  {
+    missing = this->MeasureWalls(tile);
+  }
   if (missing.IsEmpty())
   {
     missing = this->Show(tile);
@@ -179,6 +189,16 @@ MedialVoxelExtractionTask::FindNearest(const Tile & tile) const
                                   &tile.progress);
   }
   return missing;
+}
+
+MedialVoxelBox
+MedialVoxelExtractionTask::FindImportance(const Tile & tile) const
+{
+  TileWorkspace & workspace = tile.workspace;
+  return m_Importance
+           ? m_Importance->Compute(
+               tile.window, tile.box, workspace.features, tile.progress, workspace.paths, workspace.importance)
+           : MedialVoxelBox{};
 }
 
 /** At all medial cells when their thickness is wanted, otherwise at cells that an observer selects. */
@@ -249,6 +269,10 @@ MedialVoxelExtractionTask::HandOver(const Tile & tile, MedialVoxelTileResult & r
   if (m_Settings.vectorBoundary)
   {
     result.displacements = this->HasObjectVectors() ? &workspace.objectFeatures : &workspace.features;
+  }
+  if (m_Importance)
+  {
+    result.importance = &workspace.importance;
   }
   if (m_Settings.measuresThickness)
   {

@@ -4,6 +4,7 @@
 #define itkMedialVoxelExtractionTask_h
 
 #include "itkMedialVoxelEngineSettings.h"
+#include "itkMedialVoxelImportance.h"
 #include "itkMedialVoxelTileObserver.h"
 #include "itkMedialVoxelTileResult.h"
 #include "itkMedialVoxelTileTask.h"
@@ -77,6 +78,9 @@ private:
   MeasureWalls(const Tile & tile) const;
 
   MedialVoxelBox
+  FindImportance(const Tile & tile) const;
+
+  MedialVoxelBox
   Show(const Tile & tile) const;
 
   void
@@ -93,6 +97,7 @@ private:
   MedialVoxelClassifier                   m_Classifier;
   MedialVoxelThickness                    m_Thickness;
   std::optional<MedialVoxelGrayThickness> m_GrayThickness; // empty: walls are measured on the object
+  std::optional<MedialVoxelImportance>    m_Importance;    // empty: nobody asked for it
 };
 
 } // end namespace itk

@@ -66,7 +66,22 @@ MedialVoxelTileResult::WriteUncertainty(float * const first, const MedialVoxelSt
 void
 MedialVoxelTileResult::WriteLocalThickness(float * const first, const MedialVoxelStrides & strides) const
 {
-  const float * source = localThickness == nullptr ? nullptr : localThickness->data();
+  this->WriteValues(localThickness, first, strides);
+}
+
+void
+MedialVoxelTileResult::WriteImportance(float * const first, const MedialVoxelStrides & strides) const
+{
+  this->WriteValues(importance, first, strides);
+}
+
+/** The values of all voxels of the tile, 0 in an empty one. */
+void
+MedialVoxelTileResult::WriteValues(const std::vector<float> * const values,
+                                   float * const                    first,
+                                   const MedialVoxelStrides &       strides) const
+{
+  const float * source = values == nullptr ? nullptr : values->data();
   MedialVoxelForEachRow(box, strides, [&](const std::int64_t offset, const MedialVoxelBox & row) {
     float * const target = first + offset;
     if (isEmpty)

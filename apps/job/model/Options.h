@@ -151,6 +151,7 @@ struct ExtractOptions : JobOptions
   itk::MedialVoxelBoundary   vectorBoundary{ itk::MedialVoxelBoundary::Object };
   std::string                thicknessFile;      ///< thickness at medial cells, float32
   std::string                uncertaintyFile;    ///< of the thickness at medial cells, float32
+  std::string                importanceFile;     ///< geodesic distance of the pair of each cell, float32
   std::string                localThicknessFile; ///< local thickness of the object voxels, float32
   LocalThicknessMethod       localThicknessMethod{ LocalThicknessMethod::Wall };
   std::optional<double>      largestBall; ///< largest of them, > 0; unset: 32 voxels of the largest spacing

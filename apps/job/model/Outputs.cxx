@@ -89,6 +89,10 @@ constexpr VolumeKind Uncertainties{ Write<&Result::WriteUncertainty>,
                                     true,
                                     GetLayout<ThicknessLayout>,
                                     true };
+constexpr VolumeKind Importances{ Write<&Result::WriteImportance>,
+                                  Filler::Extraction,
+                                  true,
+                                  GetLayout<ThicknessLayout> };
 constexpr VolumeKind LocalThicknesses{ Write<&Result::WriteLocalThickness>,
                                        Filler::LocalThickness,
                                        false,
@@ -118,6 +122,7 @@ ListOutputKinds(const ExtractOptions &)
     { "distance", &Options::distanceFile, Distances },
     { "thickness_map", &Options::thicknessFile, Thicknesses },
     { "uncertainty_map", &Options::uncertaintyFile, Uncertainties },
+    { "importance", &Options::importanceFile, Importances },
     { "local_thickness", &Options::localThicknessFile, LocalThicknesses },
     { "places", &Options::placesFile, {}, {}, { ".csv" }, "list of places" },
     { "mesh", &Options::meshFile, {}, NoMesh },

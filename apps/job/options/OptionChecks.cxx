@@ -83,6 +83,7 @@ CheckLabelOptions(const ExtractOptions & options)
     { "smoothing", options.smoothing.value_or(Smoothing::Off) != Smoothing::Off, oneObject },
     { "vectors", !options.vectorFile.empty(), oneObject },
     { "distances", !options.distanceFile.empty(), oneObject },
+    { "an importance", !options.importanceFile.empty(), oneObject },
     { "a local thickness", !options.localThicknessFile.empty(), oneObject },
     { "thin or thick places", ListsPlaces(options), oneObject },
   };

@@ -68,6 +68,15 @@ AddMaps(std::vector<OptionRow> & rows)
           "32-bit real, on the grid of the labels: NaN at medial cells where it is not known. Needs one threshold and "
           "walls of 5 voxels.")
     .Slicer({ Outputs, "uncertaintyMap", "Uncertainty", "", SlicerOutput("scalar"), "output" });
+  AddRow(rows, "--importance", "FILE", File(&ExtractOptions::importanceFile))
+    .OfJobs(Extractions, Walls)
+    .Hidden()
+    .Help(
+      "Geodesic distance that decides each cell",
+      "32-bit real, on the grid of the labels, in units of the spacing: length of the shortest path on the boundary "
+      "between the two points that decide a cell; at most pi / 2 times the largest thickness; 0 at trivial cells. "
+      "Values from pi / 2 times a thickness on are the medial cells for that thickness. Not with --labels.")
+    .Slicer({ Outputs, "importance", "Importance", "", SlicerOutput("scalar"), "output" });
   AddRow(rows, "--local-thickness", "FILE", File(&ExtractOptions::localThicknessFile))
     .OfJobs(Extractions, Walls)
     .Help("Thickness at each object voxel",

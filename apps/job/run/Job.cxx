@@ -158,6 +158,7 @@ ListTasks(const ExtractOptions & options, const VolumeHeader & header)
   itk::MedialVoxelSheetExtraction extraction;
   extraction.parameters = GetParameters(options, grid);
   extraction.measuresThickness = MeasuresWalls(options);
+  extraction.findsImportance = !options.importanceFile.empty();
   extraction.grayRange = range;
   if (!options.vectorFile.empty())
   {
