@@ -8,6 +8,7 @@
 
 #include "MedialVoxelExport.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -43,38 +44,40 @@ public:
       return m_Number;
     }
 
-    /** Room for so many more, that Put() needs. */
+    /** Those whose weight is positive.
+     *
+     * \param along   places along the line, from the place that was asked for
+     * \param weight  from 0, at Radius from the line, to 1, on the line
+     * \param value   normalized */
+    template <std::size_t VNumber>
     void
-    Reserve(const std::size_t further)
+    PutRow(const std::array<float, VNumber> & along,
+           const std::array<float, VNumber> & weight,
+           const std::array<float, VNumber> & value)
     {
-      if (m_Number + further > m_Along.size())
+      if (m_Number + VNumber > m_Along.size())
       {
-        const std::size_t room = 2 * (m_Number + further);
+        const std::size_t room = 2 * (m_Number + VNumber);
         m_Along.resize(room);
         m_Weight.resize(room);
         m_Value.resize(room);
       }
-    }
-
-    /** Where \a counts is false, the next one takes its place.
-     *
-     * \param along   its place along the line, from the place that was asked for
-     * \param weight  from 0, at Radius from the line, to 1, on the line
-     * \param value   normalized */
-    void
-    Put(const double along, const double weight, const double value, const bool counts = true)
-    {
-      m_Along[m_Number] = static_cast<float>(along);
-      m_Weight[m_Number] = static_cast<float>(weight);
-      m_Value[m_Number] = static_cast<float>(value);
-      m_Number += counts ? 1 : 0;
+      for (std::size_t i = 0; i < VNumber; ++i)
+      {
+        m_Along[m_Number] = along[i];
+        m_Weight[m_Number] = weight[i];
+        m_Value[m_Number] = value[i];
+        m_Number += weight[i] > 0.0F ? 1 : 0; // the next one takes its place
+      }
     }
 
     void
     Add(const double along, const double weight, const double value)
     {
-      this->Reserve(1);
-      this->Put(along, weight, value);
+      using One = std::array<float, 1>;
+      this->PutRow(One{ { static_cast<float>(along) } },
+                   One{ { static_cast<float>(weight) } },
+                   One{ { static_cast<float>(value) } });
     }
 
     /** The values of other levels. */

@@ -324,7 +324,12 @@ MedialVoxelGrayNormals::GetBlock(const MedialVoxelGray &  gray,
     whole.lower[axis] = origin[axis];
     whole.upper[axis] = origin[axis] + Extent;
   }
-  Block &              block = m_Blocks[static_cast<std::size_t>(at)];
+  std::unique_ptr<Block> & place = m_Blocks[static_cast<std::size_t>(at)];
+  if (!place)
+  {
+    place.reset(new Block); // its gradients are undefined
+  }
+  Block &              block = *place;
   const MedialVoxelBox needed = box.Intersection(whole);
   if (!block.known.Contains(needed))
   {

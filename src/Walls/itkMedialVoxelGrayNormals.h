@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace itk
@@ -85,10 +86,10 @@ private:
   void
   Compute(const MedialVoxelGray & gray, const MedialVoxelIndex & origin, Block & block) const;
 
-  MedialVoxelGrid    m_Grid;
-  double             m_Background;
-  double             m_Scale; // to the contrast 1
-  std::vector<Block> m_Blocks;
+  MedialVoxelGrid                     m_Grid;
+  double                              m_Background;
+  double                              m_Scale;  // to the contrast 1
+  std::vector<std::unique_ptr<Block>> m_Blocks; // those that were needed
 
   Weights               m_Weights{};
   std::array<double, 3> m_FirstDistances{ { 1.0, 1.0, 1.0 } }; // that no window has

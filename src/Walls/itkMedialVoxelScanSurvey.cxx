@@ -144,6 +144,7 @@ private:
         const bool isInner = (inner & rest & (~rest + 1)) != 0;
         this->TakeObject(voxel, hashOf(voxel), isInner, samples);
       }
+      this->TakeMaterial(first, firstWord + i, object, hashOf, samples.material);
       for (Word rest = row(m_Around)[i] & ~row(m_Near)[i] & inBlock; rest != 0; rest &= rest - 1)
       {
         voxel[0] = (firstWord + i) * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(rest);
@@ -178,18 +179,48 @@ private:
     {
       this->CountFaces(voxel, samples.faces);
     }
-    if (samples.material.Wants(hash))
-    {
-      const double depth = this->FindDepth(voxel);
-      if (depth >= Samples::SmallestDepth)
-      {
-        samples.material.Add(hash, { static_cast<double>(m_Gray.Get(voxel)), depth });
-      }
-    }
     if (!isInner && samples.surfaces.Wants(hash))
     {
       this->TakeSurface(voxel, hash, samples);
     }
+  }
+
+  /** Of the object voxels of a word of a row. The depth is the distance to the nearest voxel that is background or not
+   * in the image, up to a limit; a neighbor is looked at for all voxels of the word at once. */
+  template <typename THashOf>
+  void
+  TakeMaterial(const Index &                                row,
+               const std::int64_t                           word,
+               const Word                                   object,
+               const THashOf &                              hashOf,
+               MedialVoxelRandomSample<Samples::Material> & material)
+  {
+    const auto forEach = [&](Word voxels, const auto & visit) {
+      for (; voxels != 0; voxels &= voxels - 1)
+      {
+        const Index voxel{ { word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(voxels), row[1], row[2] } };
+        visit(voxel, hashOf(voxel), voxels & (~voxels + 1));
+      }
+    };
+    Word rest = 0;
+    forEach(object,
+            [&](const Index &, const std::uint64_t hash, const Word bit) { rest |= material.Wants(hash) ? bit : 0; });
+    const auto take = [&](const Word voxels, const double depth) {
+      forEach(depth >= Samples::SmallestDepth ? voxels : 0, [&](const Index & voxel, const std::uint64_t hash, Word) {
+        material.Add(hash, { static_cast<double>(m_Gray.Get(voxel)), depth });
+      });
+    };
+    for (auto neighbor = m_Neighbors.begin(); neighbor != m_Neighbors.end() && rest != 0; ++neighbor)
+    {
+      const auto & [x, y, z] = neighbor->offset;
+      m_Checker.Count();
+      const Word moved = m_Object.HasRow(row[1] + y, row[2] + z)
+                           ? m_Object.Extract(word * MedialVoxelBits::BitsPerWord + x, row[1] + y, row[2] + z)
+                           : 0;
+      take(rest & ~moved, neighbor->distance);
+      rest &= moved;
+    }
+    take(rest, Samples::LargestDepth);
   }
 
   void
@@ -338,22 +369,6 @@ private:
   {
     const Box own{ voxel, { { voxel[0] + 1, voxel[1] + 1, voxel[2] + 1 } } };
     return own.Expanded({ { reach, reach, reach } }).Intersection(m_Grid.GetVoxelBox());
-  }
-
-  /** Distance to the nearest voxel that is background or not in the image, up to a limit. */
-  double
-  FindDepth(const Index & voxel)
-  {
-    for (const Neighbor & neighbor : m_Neighbors)
-    {
-      const Index at{ { voxel[0] + neighbor.offset[0], voxel[1] + neighbor.offset[1], voxel[2] + neighbor.offset[2] } };
-      m_Checker.Count();
-      if (!m_Grid.GetVoxelBox().Contains(at) || !m_Object.Test(at))
-      {
-        return neighbor.distance;
-      }
-    }
-    return Samples::LargestDepth;
   }
 
   double

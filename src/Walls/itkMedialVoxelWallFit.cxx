@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelWallFit.h"
 
+#include "itkMedialVoxelLanes.h"
 #include "itkMedialVoxelNormalDistribution.h"
 
 #include <algorithm>
@@ -95,55 +96,67 @@ MedialVoxelWallFit::MedialVoxelWallFit(const MedialVoxelScan & scan, const unsig
   , m_Number(MedialVoxelGrayLocal::GetEffectiveNumber(numberOfActiveAxes))
 {}
 
-auto
-MedialVoxelWallFit::MakeProfile(const Samples & samples, const double reach) -> Profile
+/** A sample counts at the eight places within a voxel from it, with a weight that falls in a straight line. Samples
+ * between two places differ by their distance to the lower one alone, so their sums suffice. */
+class MedialVoxelWallFit::Bins
 {
-  // A sample counts at the eight places within a voxel from it, with a weight that falls in a straight line. Samples
-  // between two places differ by their distance to the lower one alone, so their sums suffice.
-  constexpr int                                            halfWidth = static_cast<int>(1.0 / Step);
-  std::array<std::array<float, 4>, Places + 2 * halfWidth> bins{}; // weights, values, and both times the distance
-  for (std::size_t i = 0; i < samples.GetNumber(); ++i)
+public:
+  explicit Bins(const Samples & samples)
   {
-    const float at = samples.GetAlong()[i] * static_cast<float>(1.0 / Step) + static_cast<float>(Side);
-    if (!(at >= 0.0F) || !(at < static_cast<float>(Places)))
+    for (std::size_t i = 0; i < samples.GetNumber(); ++i)
     {
-      continue;
+      const float at = samples.GetAlong()[i] * static_cast<float>(1.0 / Step) + static_cast<float>(Side);
+      if (!(at >= 0.0F) || !(at < static_cast<float>(Places)))
+      {
+        continue;
+      }
+      const auto  place = static_cast<int>(at);
+      const float distance = at - static_cast<float>(place);
+      const float weight = samples.GetWeights()[i];
+      const float value = weight * samples.GetValues()[i];
+      const float added[4] = { weight, value, distance * weight, distance * value };
+      m_Bins[static_cast<std::size_t>(place + HalfWidth)] += MedialVoxelLoad<Sums>(added);
     }
-    const auto  place = static_cast<int>(at);
-    const float distance = at - static_cast<float>(place);
-    const float weight = samples.GetWeights()[i];
-    const float value = weight * samples.GetValues()[i];
-    auto &      bin = bins[static_cast<std::size_t>(place + halfWidth)];
-    bin[0] += weight;
-    bin[1] += value;
-    bin[2] += distance * weight;
-    bin[3] += distance * value;
   }
-  Profile   profile{};
-  const int side = static_cast<int>(reach / Step);
-  for (int i = Side - side; i <= Side + side; ++i)
+
+  /** As linear interpolation has it on lines along an axis. */
+  double
+  GetValue(const int place) const
   {
-    std::array<float, 4> sums{};
-    std::array<float, 4> lower{};
-    std::array<float, 4> upper{};
-    for (int k = 0; k < halfWidth; ++k)
+    Sums sums{};
+    Sums lower{};
+    Sums upper{};
+    for (int k = 0; k < HalfWidth; ++k)
     {
       const float  weight = 1.0F - static_cast<float>(Step) * static_cast<float>(k);
-      const auto & above = bins[static_cast<std::size_t>(i + halfWidth + k)];
-      const auto & below = bins[static_cast<std::size_t>(i + halfWidth - k - 1)];
-      for (std::size_t n = 0; n < 4; ++n)
-      {
-        sums[n] += weight * above[n] + (weight - static_cast<float>(Step)) * below[n];
-        upper[n] += above[n];
-        lower[n] += below[n];
-      }
+      const Sums & above = m_Bins[static_cast<std::size_t>(place + HalfWidth + k)];
+      const Sums & below = m_Bins[static_cast<std::size_t>(place + HalfWidth - k - 1)];
+      sums += weight * above + (weight - static_cast<float>(Step)) * below;
+      upper += above;
+      lower += below;
     }
     const double weight = static_cast<double>(sums[0] + static_cast<float>(Step) * (lower[2] - upper[2]));
     const double value = static_cast<double>(sums[1] + static_cast<float>(Step) * (lower[3] - upper[3]));
-    profile[static_cast<std::size_t>(i)] = weight > 0.0 ? value / weight : 0.0;
+    return weight > 0.0 ? value / weight : 0.0;
   }
-  return profile;
-}
+
+  Profile
+  GetProfile() const
+  {
+    Profile profile;
+    for (int i = 0; i < Places; ++i)
+    {
+      profile[static_cast<std::size_t>(i)] = this->GetValue(i);
+    }
+    return profile;
+  }
+
+private:
+  using Sums = MedialVoxelLanesOf<float, 4>; // of weights, of values, and of both times the distance
+
+  static constexpr int                     HalfWidth = static_cast<int>(1.0 / Step);
+  std::array<Sums, Places + 2 * HalfWidth> m_Bins{};
+};
 
 auto
 MedialVoxelWallFit::Smooth(const Profile & profile) -> Profile
@@ -206,7 +219,7 @@ MedialVoxelWallFit::FindEnd(const Profile & smooth, const int peak, const double
 auto
 MedialVoxelWallFit::FitWall(const Samples & samples) const -> std::optional<Wall>
 {
-  const Profile profile = MakeProfile(samples, ReachOfWall);
+  const Profile profile = Bins(samples).GetProfile();
   const Profile smooth = Smooth(profile);
   const auto    highest = [](const Profile & values) {
     constexpr int range = 7; // 1.75 voxels
@@ -312,18 +325,29 @@ MedialVoxelWallFit::IsResolved(const MedialVoxelFitSums & sums, const Wall & wal
 auto
 MedialVoxelWallFit::FitSurface(const Samples & samples) const -> std::optional<Surface>
 {
-  const Profile         profile = MakeProfile(samples, ReachOfSurface);
-  const int             side = static_cast<int>(ReachOfSurface / Step);
+  // From the place outwards, so that few values are found: the last step has crossings as far away as the one before.
+  const Bins            bins(samples);
   std::optional<double> crossing;
-  for (int i = Side - side; i < Side + side; ++i)
+  double                before = bins.GetValue(Side);
+  double                after = before;
+  for (int steps = 0, last = static_cast<int>(ReachOfSurface / Step); steps < last; ++steps)
   {
-    const double here = profile[static_cast<std::size_t>(i)];
-    const double next = profile[static_cast<std::size_t>(i + 1)];
-    if (here < 0.5 && next >= 0.5)
-    {
-      const double place = PlaceOf(i) + Step * (0.5 - here) / (next - here);
-      crossing = !crossing || std::abs(place) < std::abs(*crossing) ? place : *crossing;
-    }
+    const double below = bins.GetValue(Side - steps - 1);
+    const double above = bins.GetValue(Side + steps + 1);
+    const auto   take = [&](const int i, const double here, const double next) {
+      if (here < 0.5 && next >= 0.5)
+      {
+        const double place = PlaceOf(i) + Step * (0.5 - here) / (next - here);
+        const bool   isNearer = !crossing || std::abs(place) < std::abs(*crossing) ||
+                              (std::abs(place) == std::abs(*crossing) && place < *crossing);
+        crossing = isNearer ? place : *crossing;
+        last = std::min(last, steps + 2);
+      }
+    };
+    take(Side - steps - 1, below, before);
+    take(Side + steps, after, above);
+    before = below;
+    after = above;
   }
   if (!crossing)
   {

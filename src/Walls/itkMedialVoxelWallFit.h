@@ -86,9 +86,8 @@ private:
   static constexpr int    Places = 2 * Side + 1;
   using Profile = std::array<double, Places>;
 
-  /** Values where they are wanted, as linear interpolation has them on lines along an axis. */
-  static Profile
-  MakeProfile(const MedialVoxelGrayLocal::Samples & samples, double reach);
+  /** The values of a profile from sums of samples. */
+  class Bins;
 
   static Profile
   Smooth(const Profile & profile);
