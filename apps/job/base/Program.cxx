@@ -3,6 +3,7 @@
 #include "Program.h"
 
 #include "Errors.h"
+#include "AbortNotice.h"
 #include "Signals.h"
 #include "StopListener.h"
 
