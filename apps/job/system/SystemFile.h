@@ -4,6 +4,7 @@
 #define medialvoxelSystemFile_h
 
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -52,6 +53,10 @@ RemoveName(const std::filesystem::path & name);
 /** The failure is EEXIST when something has the name. */
 bool
 MakeFolder(const std::filesystem::path & name);
+
+/** A file to read, for libraries in C; nullptr on failure. */
+std::FILE *
+OpenStream(const std::filesystem::path & name);
 
 /** How a file is opened. */
 enum class FileAccess
@@ -104,7 +109,7 @@ public:
   bool
   IsOpen() const
   {
-    return m_Descriptor >= 0;
+    return m_Descriptor != -1;
   }
 
   /** The failure concerns bytes that seemed to be written and were lost; file systems of a network may report it
@@ -172,11 +177,20 @@ public:
   IsByteLocked(std::uint64_t position) const;
 
 private:
-  explicit SystemFile(int descriptor)
+#ifdef _WIN32
+  using Descriptor = std::intptr_t; ///< a handle
+#else
+  using Descriptor = int;
+#endif
+
+  friend std::optional<FileStatus>
+  GetFileStatus(const std::filesystem::path & name, bool followsLinks);
+
+  explicit SystemFile(Descriptor descriptor)
     : m_Descriptor(descriptor)
   {}
 
-  int m_Descriptor{ -1 };
+  Descriptor m_Descriptor{ -1 };
 };
 
 } // end namespace medialvoxel
