@@ -101,8 +101,8 @@ public:
   static SystemFile
   MakeScratch(const std::filesystem::path & folder);
 
-  /** An existing file, after all others gave it back that got it from this function. Without their order where the file
-   * system has no locks or the file must not be written. */
+  /** What holds the turn to replace an existing file: its end gives the turn back to all others that wait in this
+   * function. Without their order where the file system has no locks or the file must not be written. */
   static SystemFile
   OpenInTurn(const std::filesystem::path & name);
 

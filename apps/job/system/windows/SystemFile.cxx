@@ -6,7 +6,6 @@
 
 #include "itkMedialVoxelProgress.h"
 
-#include <aclapi.h>
 #include <algorithm>
 #include <cerrno>
 #include <cstddef>
@@ -25,7 +24,6 @@ constexpr std::uint64_t BlockSize = std::uint64_t{ 1 } << 23;
 
 /** Others may not read or write what is locked, so locks lie where no file has bytes. */
 constexpr std::uint64_t FirstLock = std::uint64_t{ 1 } << 62;
-constexpr std::uint64_t LockOfTurns = FirstLock - 1;
 
 constexpr DWORD ShareAll = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
 
@@ -106,16 +104,17 @@ bool
 IsOfThisUser(HANDLE handle)
 {
   static const std::vector<char> identities[] = { ReadIdentity(TokenUser), ReadIdentity(TokenOwner) };
-  PSID                           owner = nullptr;
-  PSECURITY_DESCRIPTOR           security = nullptr;
-  if (GetSecurityInfo(
-        handle, SE_FILE_OBJECT, OWNER_SECURITY_INFORMATION, &owner, nullptr, nullptr, nullptr, &security) !=
-      ERROR_SUCCESS)
+  DWORD                          size = 0;
+  GetKernelObjectSecurity(handle, OWNER_SECURITY_INFORMATION, nullptr, 0, &size);
+  std::vector<char> security(size);
+  PSID              owner = nullptr;
+  BOOL              isDefault = FALSE;
+  if (GetKernelObjectSecurity(handle, OWNER_SECURITY_INFORMATION, security.data(), size, &size) == 0 ||
+      GetSecurityDescriptorOwner(security.data(), &owner, &isDefault) == 0 || owner == nullptr)
   {
     return false;
   }
   const std::vector<char> identity = CopyIdentity(owner);
-  LocalFree(security);
   return std::find(std::begin(identities), std::end(identities), identity) != std::end(identities);
 }
 
@@ -312,21 +311,16 @@ SystemFile::MakeScratch(const std::filesystem::path & folder)
 SystemFile
 SystemFile::OpenInTurn(const std::filesystem::path & name)
 {
-  // Another process may replace the file before this one has the lock.
-  constexpr int mostAttempts = 1000;
-  SystemFile    file;
-  for (int attempt = 0; attempt < mostAttempts; ++attempt)
+  // A file that is open cannot be replaced everywhere, so the turns of all files are bytes of one file of the user.
+  std::error_code error;
+  const auto      folder = std::filesystem::temp_directory_path(error);
+  const auto      whole = std::filesystem::weakly_canonical(name, error);
+  SystemFile      turns(folder / "medialvoxel-turns", FileAccess::Make);
+  if (turns.IsOpen())
   {
-    file = SystemFile(name, FileAccess::Change);
-    const bool isLocked = file.IsOpen() && Lock(file.m_Descriptor, LockOfTurns, true);
-    const auto locked = file.GetStatus();
-    const auto named = GetFileStatus(name);
-    if (!isLocked || !locked || !named || (locked->disk == named->disk && locked->number == named->number))
-    {
-      break;
-    }
+    Lock(turns.m_Descriptor, FirstLock + std::filesystem::hash_value(whole) / 4, true);
   }
-  return file;
+  return turns;
 }
 
 bool
