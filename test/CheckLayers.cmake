@@ -48,7 +48,8 @@ set(program
 # Of these, what no other folder includes: programs, and formats that the build may leave out.
 set(closed apps/medialvoxel apps/MedialVoxelExtraction apps/job/formats/text apps/job/formats/zarr apps/job/formats/slices)
 
-# The one folder that calls the system. What others include in <> is of the C++ library, or of these libraries.
+# The one folder that calls the system, with a room for each kind. What others include in <> is of the C++ library, or of these
+# libraries.
 set(system_folder apps/job/system)
 set(other_libraries "^(CLI/|nlohmann/|itksys/|gdcm|blosc\\.h$|zstd\\.h$|tiffio\\.h$|png\\.h$|jpeglib\\.h$)")
 
@@ -130,6 +131,9 @@ endforeach()
 set(program_files "")
 foreach(folder IN LISTS program)
   file(GLOB files "${SOURCE}/${folder}/*.h" "${SOURCE}/${folder}/*.hxx" "${SOURCE}/${folder}/*.cxx" "${SOURCE}/${folder}/*.cxx.in")
+  if(folder STREQUAL system_folder)
+    file(GLOB files "${SOURCE}/${folder}/*.h" "${SOURCE}/${folder}/*.cxx" "${SOURCE}/${folder}/*/*.h" "${SOURCE}/${folder}/*/*.cxx")
+  endif()
   list(APPEND program_files ${files})
   foreach(file IN LISTS files)
     get_unit(unit "${file}")
@@ -148,6 +152,7 @@ foreach(file IN LISTS all_files)
 endforeach()
 foreach(file IN LISTS program_files)
   string(REGEX REPLACE "^.*/((apps|shell)/.*)/[^/]*$" "\\1" folder "${file}")
+  string(REGEX REPLACE "^(${system_folder})/.*" "\\1" folder "${folder}")
   set(uses_no_itk OFF)
   if(folder MATCHES "^shell/")
     set(uses_no_itk ON)

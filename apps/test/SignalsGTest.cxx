@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "Errors.h"
+#include "AbortNotice.h"
 #include "Signals.h"
 
 #include <gtest/gtest.h>

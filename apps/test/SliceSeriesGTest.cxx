@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <atomic>
 #include <fstream>
+#include <stdexcept>
 #include <thread>
 
 namespace

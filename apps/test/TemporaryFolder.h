@@ -6,8 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <stdexcept>
-#include <stdlib.h>
+#include <random>
 #include <string>
 
 namespace medialvoxel
@@ -19,12 +18,11 @@ class TemporaryFolder
 public:
   TemporaryFolder()
   {
-    std::string name = (std::filesystem::temp_directory_path() / "medialvoxel-XXXXXX").string();
-    if (!mkdtemp(name.data()))
+    std::random_device source;
+    do
     {
-      throw std::runtime_error("cannot create a temporary folder");
-    }
-    m_Path = name;
+      m_Path = std::filesystem::temp_directory_path() / ("medialvoxel-" + std::to_string(source()));
+    } while (!std::filesystem::create_directory(m_Path));
   }
 
   ~TemporaryFolder()

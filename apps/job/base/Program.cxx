@@ -3,8 +3,10 @@
 #include "Program.h"
 
 #include "Errors.h"
+#include "AbortNotice.h"
 #include "Signals.h"
 #include "StopListener.h"
+#include "Terminal.h"
 
 #include "itkMedialVoxelHeaderText.h"
 #include "itkObject.h"
@@ -22,6 +24,7 @@ RunProgram(const std::string & name, const std::function<int()> & body)
     std::cerr << name << ": " << itk::MedialVoxelText::MakePrintable(error.what()) << std::endl;
     return status;
   };
+  PrepareStreams();
   CatchSignals();
   SetNameForAborts(name);
   // The job prints one line for each warning; a filter would print three.

@@ -121,7 +121,11 @@ GetTime()
   const std::time_t    seconds = milliseconds / 1000;
   std::tm              parts{};
   std::array<char, 32> text{};
+#ifdef _WIN32
+  gmtime_s(&parts, &seconds);
+#else
   gmtime_r(&seconds, &parts);
+#endif
   std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S.", &parts);
   const std::string fraction = std::to_string(1000 + milliseconds % 1000);
   return text.data() + fraction.substr(1) + "Z";

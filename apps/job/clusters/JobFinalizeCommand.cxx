@@ -135,7 +135,7 @@ private:
     for (const auto & product : m_Job.products)
     {
       product->Start(start);
-      product->CreateFile(*m_Outputs);
+      product->MakeFile(*m_Outputs);
     }
   }
 

@@ -18,7 +18,7 @@ constexpr std::uint64_t BufferSize = std::uint64_t{ 1 } << 21;
 
 UncachedWriter::UncachedWriter(const std::filesystem::path & fileName)
   : m_File(fileName, FileAccess::WriteUncached)
-  , m_Buffer(static_cast<char *>(std::aligned_alloc(BlockSize, BufferSize)))
+  , m_Buffer(static_cast<char *>(operator new(BufferSize, Alignment, std::nothrow)))
 {}
 
 bool

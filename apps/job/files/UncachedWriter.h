@@ -6,9 +6,9 @@
 #include "SystemFile.h"
 
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <new>
 
 namespace medialvoxel
 {
@@ -46,12 +46,14 @@ public:
   }
 
 private:
+  static constexpr std::align_val_t Alignment{ BlockSize };
+
   struct Free
   {
     void
     operator()(void * memory) const
     {
-      std::free(memory);
+      operator delete(memory, Alignment);
     }
   };
 

@@ -82,7 +82,7 @@ public:
 
   /** Creates its file, after the start. */
   void
-  CreateFile(OutputSet & outputs)
+  MakeFile(OutputSet & outputs)
   {
     if (m_Links.request != nullptr && m_Links.volume == nullptr)
     {

@@ -94,7 +94,7 @@ JobRun::JobRun(Job & job, OutputSet & outputs, ProgressSink & sink)
   }
   for (const auto & product : job.products)
   {
-    product->CreateFile(outputs);
+    product->MakeFile(outputs);
     this->AddProduct(*product);
   }
 }

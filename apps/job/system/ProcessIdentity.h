@@ -15,7 +15,7 @@ struct ProcessIdentity
 {
   std::string   host;           ///< 12 hexadecimal digits of a machine since it was started, and of a container on it
   int           number{ 0 };    ///< which another process has later
-  std::uint64_t startTime{ 0 }; ///< in ticks since the machine was started
+  std::uint64_t startTime{ 0 }; ///< in ticks of the system, which differ between processes that have one number
 };
 
 /** The identity of this process; its host is empty where the system does not report it, as in a container without

@@ -4,6 +4,7 @@
 #define medialvoxelSystemFile_h
 
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -53,6 +54,10 @@ RemoveName(const std::filesystem::path & name);
 bool
 MakeFolder(const std::filesystem::path & name);
 
+/** A file to read, for libraries in C; nullptr on failure. */
+std::FILE *
+OpenStream(const std::filesystem::path & name);
+
 /** How a file is opened. */
 enum class FileAccess
 {
@@ -96,15 +101,15 @@ public:
   static SystemFile
   MakeScratch(const std::filesystem::path & folder);
 
-  /** An existing file, after all others gave it back that got it from this function. Without their order where the file
-   * system has no locks or the file must not be written. */
+  /** What holds the turn to replace an existing file: its end gives the turn back to all others that wait in this
+   * function. Without their order where the file system has no locks or the file must not be written. */
   static SystemFile
   OpenInTurn(const std::filesystem::path & name);
 
   bool
   IsOpen() const
   {
-    return m_Descriptor >= 0;
+    return m_Descriptor != -1;
   }
 
   /** The failure concerns bytes that seemed to be written and were lost; file systems of a network may report it
@@ -172,11 +177,20 @@ public:
   IsByteLocked(std::uint64_t position) const;
 
 private:
-  explicit SystemFile(int descriptor)
+#ifdef _WIN32
+  using Descriptor = std::intptr_t; ///< a handle
+#else
+  using Descriptor = int;
+#endif
+
+  friend std::optional<FileStatus>
+  GetFileStatus(const std::filesystem::path & name, bool followsLinks);
+
+  explicit SystemFile(Descriptor descriptor)
     : m_Descriptor(descriptor)
   {}
 
-  int m_Descriptor{ -1 };
+  Descriptor m_Descriptor{ -1 };
 };
 
 } // end namespace medialvoxel

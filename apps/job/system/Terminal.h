@@ -6,6 +6,10 @@
 namespace medialvoxel
 {
 
+/** Lets the standard streams pass bytes as they are, and a terminal show UTF-8. */
+void
+PrepareStreams();
+
 /** True when the error stream is a terminal. */
 bool
 HasTerminal();

@@ -5,7 +5,7 @@
 #include "DicomTags.h"
 #include "Errors.h"
 #include "HeaderParsing.h"
-#include "Signals.h"
+#include "AbortNotice.h"
 #include "SliceFormats.h"
 #include "Text.h"
 

@@ -5,6 +5,7 @@
 
 #include "HeaderParsing.h"
 #include "SliceFormats.h"
+#include "SystemFile.h"
 
 #include "itkMedialVoxelFileRegion.h"
 
@@ -109,7 +110,7 @@ public:
     : m_FileName(fileName)
   {
     OpenRegularFile(fileName);
-    m_File = std::fopen(fileName.c_str(), "rb");
+    m_File = OpenStream(fileName);
     if (!m_File)
     {
       RefuseHeader(fileName, "cannot be opened", HeaderError::Kind::Unreadable);

@@ -5,6 +5,7 @@
 
 #include "HeaderParsing.h"
 #include "SliceFormats.h"
+#include "SystemFile.h"
 
 #include "itkMedialVoxelFileRegion.h"
 
@@ -79,7 +80,7 @@ public:
     : m_FileName(fileName)
   {
     OpenRegularFile(fileName);
-    m_File = std::fopen(fileName.c_str(), "rb");
+    m_File = OpenStream(fileName);
     m_Png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, Jump, IgnoreWarning);
     m_Info = m_Png ? png_create_info_struct(m_Png) : nullptr;
     if (!m_File || !m_Info)

@@ -199,6 +199,12 @@ MakeFolder(const std::filesystem::path & name)
   return mkdir(name.c_str(), 0777) == 0;
 }
 
+std::FILE *
+OpenStream(const std::filesystem::path & name)
+{
+  return std::fopen(name.c_str(), "rb");
+}
+
 SystemFile::SystemFile(const std::filesystem::path & name, FileAccess access)
   : m_Descriptor(Open(name, access))
 {}

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "Signals.h"
+#include "AbortNotice.h"
 
 #include "itkMedialVoxelHeaderText.h"
 
@@ -9,30 +9,17 @@
 #include <cstddef>
 #include <cstdlib>
 #include <mutex>
-#include <unistd.h>
+#ifdef _WIN32
+#  include <io.h>
+#  include <process.h>
+#else
+#  include <unistd.h>
+#endif
 
 namespace medialvoxel
 {
 namespace
 {
-
-volatile std::sig_atomic_t stopSignal = 0;
-
-extern "C" void
-RememberStopSignal(int signalNumber)
-{
-  stopSignal = signalNumber;
-}
-
-void
-Handle(int signalNumber, void (*handler)(int))
-{
-  struct sigaction action = {};
-  action.sa_handler = handler;
-  sigemptyset(&action.sa_mask);
-  action.sa_flags = SA_RESTART;
-  sigaction(signalNumber, &action, nullptr);
-}
 
 /** The state that a handler of signals may read: no object with a constructor. */
 struct Notice
@@ -60,32 +47,12 @@ WriteNotice(int)
     std::signal(SIGABRT, SIG_DFL);
     return;
   }
-  const ssize_t written = write(STDERR_FILENO, notice.line, notice.length);
+  constexpr int errorStream = 2;
+  const auto    written = write(errorStream, notice.line, notice.length);
   _exit(written < 0 ? EXIT_FAILURE : notice.status);
 }
 
 } // namespace
-
-void
-CatchSignals()
-{
-  Handle(SIGINT, RememberStopSignal);
-  Handle(SIGTERM, RememberStopSignal);
-  struct sigaction hangUp = {};
-  sigaction(SIGHUP, nullptr, &hangUp);
-  if (hangUp.sa_handler != SIG_IGN)
-  {
-    Handle(SIGHUP, RememberStopSignal);
-  }
-  Handle(SIGPIPE, SIG_IGN);
-  Handle(SIGXFSZ, SIG_IGN);
-}
-
-int
-GetStopSignal()
-{
-  return stopSignal;
-}
 
 AbortNotice::AbortNotice(int status, const std::string & text)
   : m_Line(GetName() + ": " + itk::MedialVoxelText::MakePrintable(text) + "\n")

@@ -8,6 +8,10 @@
 namespace medialvoxel
 {
 
+void
+PrepareStreams()
+{}
+
 bool
 HasTerminal()
 {
