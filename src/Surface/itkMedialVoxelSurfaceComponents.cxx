@@ -25,10 +25,10 @@ MedialVoxelSurfaceComponents::AddVertices(const std::uint64_t number)
 void
 MedialVoxelSurfaceComponents::AddQuad(const std::array<std::uint64_t, 4> & vertices)
 {
-  std::int32_t root = this->RootOf(static_cast<std::int32_t>(vertices[0]));
+  std::size_t root = this->RootOf(static_cast<std::size_t>(vertices[0]));
   for (unsigned int i = 1; i < 4; ++i)
   {
-    std::int32_t other = this->RootOf(static_cast<std::int32_t>(vertices[i]));
+    std::size_t other = this->RootOf(static_cast<std::size_t>(vertices[i]));
     if (other == root)
     {
       continue;
@@ -39,7 +39,7 @@ MedialVoxelSurfaceComponents::AddQuad(const std::array<std::uint64_t, 4> & verti
       std::swap(root, other);
     }
     m_Entries[root] += m_Entries[other] + 1;
-    m_Entries[other] = root;
+    m_Entries[other] = static_cast<std::int32_t>(root);
   }
   if (m_Entries[root] == std::numeric_limits<std::int32_t>::min())
   {
@@ -56,10 +56,10 @@ MedialVoxelSurfaceComponents::Keep(const std::uint64_t smallest)
   for (std::size_t vertex = 0; vertex < kept.size(); ++vertex)
   {
     checker.Count();
-    const std::int64_t entry = m_Entries[this->RootOf(static_cast<std::int32_t>(vertex))];
+    const std::int64_t entry = m_Entries[this->RootOf(vertex)];
     const auto         quads = static_cast<std::uint64_t>(-1 - entry);
     kept[vertex] = quads >= smallest;
-    m_LeftOut += m_Entries[vertex] < 0 && quads > 0 && !kept[vertex] ? 1 : 0;
+    m_LeftOut += m_Entries[vertex] < 0 && quads > 0 && !kept[vertex] ? 1u : 0u;
   }
   std::int32_t number = 0;
   for (std::size_t vertex = 0; vertex < kept.size(); ++vertex)
@@ -68,12 +68,12 @@ MedialVoxelSurfaceComponents::Keep(const std::uint64_t smallest)
   }
 }
 
-std::int32_t
-MedialVoxelSurfaceComponents::RootOf(std::int32_t vertex)
+std::size_t
+MedialVoxelSurfaceComponents::RootOf(std::size_t vertex)
 {
   while (m_Entries[vertex] >= 0)
   {
-    const std::int32_t parent = m_Entries[vertex];
+    const auto parent = static_cast<std::size_t>(m_Entries[vertex]);
     if (m_Entries[parent] >= 0)
     {
       m_Entries[vertex] = m_Entries[parent];

@@ -6,6 +6,7 @@
 #include "MedialVoxelExport.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -57,8 +58,8 @@ public:
   }
 
 private:
-  std::int32_t
-  RootOf(std::int32_t vertex);
+  std::size_t
+  RootOf(std::size_t vertex);
 
   /** The parent in the tree of a component, or of a root -1 less the quadrilaterals of its component; after Keep() the
    * new number, or -1. */
