@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Signals.h"
 
+#include <atomic>
 #include <csignal>
 
 namespace medialvoxel
@@ -9,7 +10,9 @@ namespace medialvoxel
 namespace
 {
 
-volatile std::sig_atomic_t stopSignal = 0;
+/** Set by a handler, read by threads. */
+std::atomic<int> stopSignal{ 0 };
+static_assert(std::atomic<int>::is_always_lock_free, "a handler may set it");
 
 extern "C" void
 RememberStopSignal(int signalNumber)

@@ -29,13 +29,21 @@ std::uint64_t
 GetRestOfLimits()
 {
   JOBOBJECT_EXTENDED_LIMIT_INFORMATION job = {};
-  if (QueryInformationJobObject(nullptr, JobObjectExtendedLimitInformation, &job, sizeof(job), nullptr) == 0 ||
-      (job.BasicLimitInformation.LimitFlags & JOB_OBJECT_LIMIT_PROCESS_MEMORY) == 0)
+  if (QueryInformationJobObject(nullptr, JobObjectExtendedLimitInformation, &job, sizeof(job), nullptr) == 0)
   {
     return Unknown;
   }
-  const std::uint64_t limit = job.ProcessMemoryLimit;
-  return limit - std::min<std::uint64_t>(limit, GetCounters().PagefileUsage);
+  const DWORD   flags = job.BasicLimitInformation.LimitFlags;
+  std::uint64_t limit = Unknown;
+  if ((flags & JOB_OBJECT_LIMIT_PROCESS_MEMORY) != 0)
+  {
+    limit = job.ProcessMemoryLimit;
+  }
+  if ((flags & JOB_OBJECT_LIMIT_JOB_MEMORY) != 0)
+  {
+    limit = std::min<std::uint64_t>(limit, job.JobMemoryLimit);
+  }
+  return limit == Unknown ? Unknown : limit - std::min<std::uint64_t>(limit, GetCounters().PagefileUsage);
 }
 
 std::uint64_t
