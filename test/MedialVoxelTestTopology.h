@@ -5,8 +5,10 @@
 
 // Betti numbers and thinning of small volumes, from the definitions alone: every loop runs over the whole volume.
 
+#include "itkMedialVoxelCellLink.h"
 #include "itkMedialVoxelGrid.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -223,6 +225,109 @@ FindBettiNumbersOfVoxels(const Values & object)
   const int    parts = CountFaceComponents(all, [&](const auto & place) { return faces.Get(place) != 0; }, false);
   const int    cavities = CountFaceComponents(all, [&](const auto & place) { return faces.Get(place) == 0; }, true);
   return { { parts, parts + cavities - euler, cavities } };
+}
+
+inline itk::MedialVoxelGrid
+GridOf(const itk::MedialVoxelIndex & size)
+{
+  return { size, { { 1.0, 1.0, 1.0 } } };
+}
+
+/** An object with medial cells and levels that need not fit it: topology does not depend on them. */
+struct Scene
+{
+  explicit Scene(const itk::MedialVoxelIndex & size)
+    : object(size)
+    , medial(size)
+    , levels(size)
+  {}
+
+  Values object;
+  Values medial;
+  Values levels;
+};
+
+inline std::uint32_t
+CellsAround(const Values & cells, const itk::MedialVoxelIndex & cell)
+{
+  std::uint32_t around = 0;
+  int           bit = 0;
+  ForEachIndex(itk::MedialVoxelBox{ cell, { { cell[0] + 1, cell[1] + 1, cell[2] + 1 } } }.Expanded({ { 1, 1, 1 } }),
+               [&](const auto & other) { around |= cells.Get(other) != 0 ? 1u << bit++ : 0u * bit++; });
+  return around;
+}
+
+inline std::uint32_t
+VoxelsAround(const Values & object, const itk::MedialVoxelIndex & cell)
+{
+  std::uint32_t around = 0;
+  int           bit = 0;
+  ForEachIndex(itk::MedialVoxelBox{ cell, { { cell[0] + 2, cell[1] + 2, cell[2] + 2 } } },
+               [&](const auto & corner) { around |= object.Get(corner) != 0 ? 1u << bit++ : 0u * bit++; });
+  return around;
+}
+
+/** The passes in loops over the whole volume, in the order of the definition. */
+inline Values
+ThinInLoops(const Scene & scene)
+{
+  const auto & size = scene.object.GetBox().upper;
+  const auto   cells = GridOf(size).GetCellBox();
+  Values       kept(size);
+  ForEachIndex(cells, [&](const auto & cell) { kept.Set(cell, VoxelsAround(scene.object, cell) != 0 ? 1 : 0); });
+  constexpr int gray[8] = { 0, 1, 3, 2, 6, 7, 5, 4 };
+  for (int t = 0; t < 24; ++t)
+  {
+    for (const int code : gray)
+    {
+      int parity = code;
+      for (int turn = 0; turn < t % 3; ++turn)
+      {
+        parity = (2 * parity) % 8 + parity / 4;
+      }
+      ForEachIndex(cells, [&](const auto & cell) {
+        const int  level = scene.levels.Get(cell);
+        const bool isAsked = cell[0] % 2 == (parity & 1) && cell[1] % 2 == ((parity >> 1) & 1) &&
+                             cell[2] % 2 == (parity >> 2) && level <= t && level >= t - 7;
+        if (isAsked && kept.Get(cell) != 0 && scene.medial.Get(cell) == 0 &&
+            itk::MedialVoxelCellLink::IsSimple(CellsAround(kept, cell), VoxelsAround(scene.object, cell)))
+        {
+          kept.Set(cell, 0);
+        }
+      });
+    }
+  }
+  return kept;
+}
+
+/** The voxels after components of at most \a maximumSize that do not reach a face are filled. */
+inline Values
+FillInLoops(const Values & object, const std::size_t maximumSize)
+{
+  const auto &                       size = object.GetBox().upper;
+  Values                             filled = object;
+  Values                             marks(size);
+  std::vector<itk::MedialVoxelIndex> found;
+  ForEachIndex(object.GetBox(), [&](const auto & seed) {
+    if (object.Get(seed) != 0 || marks.Get(seed) != 0)
+    {
+      return;
+    }
+    FloodFaces(seed, [&](const auto & v) { return object.Get(v) == 0; }, marks, found);
+    const bool isInner = std::all_of(found.begin(), found.end(), [&](const auto & v) {
+      bool inner = true;
+      for (unsigned int axis = 0; axis < 3; ++axis)
+      {
+        inner = inner && (size[axis] == 1 || (v[axis] > 0 && v[axis] < size[axis] - 1));
+      }
+      return inner;
+    });
+    for (const auto & v : found)
+    {
+      filled.Set(v, isInner && found.size() <= maximumSize ? 1 : 0);
+    }
+  });
+  return filled;
 }
 
 } // namespace MedialVoxelTest

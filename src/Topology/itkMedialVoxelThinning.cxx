@@ -3,6 +3,7 @@
 #include "itkMedialVoxelThinning.h"
 
 #include "itkMedialVoxelCellLink.h"
+#include "itkMedialVoxelProgress.h"
 
 #include <algorithm>
 #include <utility>
@@ -194,6 +195,7 @@ MedialVoxelThinning::GoOn(const std::int64_t slice)
 void
 MedialVoxelThinning::TakeTurn(const std::int64_t slice)
 {
+  MedialVoxelCheckAbort();
   Slice &            own = this->At(slice);
   const std::int64_t pass = own.turn / TurnsPerPass;
   Class &            cells = own.classes[ParityOf(own.turn) & 3u];
