@@ -50,6 +50,9 @@ struct MedialVoxel_EXPORT MedialVoxelSheetExtraction
   /** Measure walls on the gray values of the voxels; unset: on the object. */
   std::optional<GrayRange> grayRange;
 
+  /** Find the levels of the cells, for MedialVoxelSameTopology. */
+  bool findsLevels{ false };
+
   /** Whether observers see the tiles, and their memory for each voxel of the tile of a worker. */
   bool          isObserved{ false };
   std::uint64_t observerBytesPerVoxel{ 0 };

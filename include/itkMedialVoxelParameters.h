@@ -15,13 +15,14 @@
 namespace itk
 {
 
-/** Labels of dual cells. Medial cells have at least MedialByBound. */
+/** Labels of dual cells. Medial cells have MedialByBound or MedialByGeodesic. */
 namespace MedialVoxelLabel
 {
 constexpr std::uint8_t NoObject = 0;
 constexpr std::uint8_t NonMedial = 1;
 constexpr std::uint8_t MedialByBound = 2;
 constexpr std::uint8_t MedialByGeodesic = 3;
+constexpr std::uint8_t AddedForTopology = 4;
 } // namespace MedialVoxelLabel
 
 /** \struct MedialVoxelParameters

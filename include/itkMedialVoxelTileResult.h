@@ -112,6 +112,9 @@ public:
   /** Labels of the cells, x fastest. */
   const std::uint8_t * labels{ nullptr };
 
+  /** Levels of the cells, x fastest; see MedialVoxelCellLevels. */
+  const std::vector<std::uint16_t> * levels{ nullptr };
+
   /** Displacements to the nearest boundary voxels, in a box that holds the tile. */
   const MedialVoxelFeatures * displacements{ nullptr };
 

@@ -6,7 +6,7 @@
 cmake_minimum_required(VERSION 3.22.1...3.29.0)
 
 # Folders of src. No file in them includes a header of ITK, but for those named below.
-set(library Foundation IO Object Distance Geodesic Walls Cells Engine Run Surface)
+set(library Foundation IO Object Distance Topology Geodesic Walls Cells Engine Run Surface)
 
 # What users of the module include: filters stand above all folders, and both filters and image IO use ITK.
 set(filters "^(itkMedialVoxel(Objects)?ImageFilter|itkMedialVoxel(Object|Sheet)Properties|itkMedialVoxelMemoryError|itkMedialSurface(Mesh|Progress)|itkVectorDistanceMap|itkLocalThickness)[A-Za-z]*$")

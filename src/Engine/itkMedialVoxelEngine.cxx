@@ -28,6 +28,7 @@ GetSettingsOf(const MedialVoxelGrid & grid, const MedialVoxelSheetExtraction & e
 {
   auto settings = MedialVoxelSlabWalker::Settings::ForClassification(
     grid, extraction.parameters, extraction.vectorBoundary == MedialVoxelBoundary::Object);
+  settings.bytesPerVoxel += extraction.findsLevels ? MedialVoxelCellLevels::BytesPerVoxel : 0;
   if (extraction.findsImportance)
   {
     settings.bytesPerVoxel += MedialVoxelImportance::BytesPerVoxel + sizeof(float);

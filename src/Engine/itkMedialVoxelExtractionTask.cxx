@@ -28,6 +28,7 @@ struct MedialVoxelExtractionTask::TileWorkspace : public Workspace
   MedialVoxelFeatures                    objectFeatures;
   MedialVoxelClassifier::Workspace       classifier;
   std::vector<std::uint8_t>              labels;
+  std::vector<std::uint16_t>             levels;
   MedialVoxelThickness::Memory           thickness;
   std::vector<MedialVoxelWall>           walls;
   MedialVoxelGrayThickness::Workspace    fits;
@@ -44,6 +45,7 @@ MedialVoxelExtractionTask::MedialVoxelExtractionTask(const MedialVoxelGrid &    
   , m_Transform(grid)
   , m_Classifier(grid, settings.parameters)
   , m_Thickness(grid)
+  , m_Levels(grid)
 {
   if (settings.findsImportance)
   {
@@ -262,10 +264,15 @@ MedialVoxelExtractionTask::Show(const Tile & tile) const
 void
 MedialVoxelExtractionTask::HandOver(const Tile & tile, MedialVoxelTileResult & result) const
 {
-  const TileWorkspace & workspace = tile.workspace;
+  TileWorkspace & workspace = tile.workspace;
   result.box = tile.box;
   result.labels = workspace.labels.data();
   result.object = tile.window.object;
+  if (m_Settings.findsLevels)
+  {
+    m_Levels.Compute(tile.box, *tile.window.object, workspace.features, workspace.levels);
+    result.levels = &workspace.levels;
+  }
   if (m_Settings.vectorBoundary)
   {
     result.displacements = this->HasObjectVectors() ? &workspace.objectFeatures : &workspace.features;

@@ -3,6 +3,7 @@
 #ifndef itkMedialVoxelExtractionTask_h
 #define itkMedialVoxelExtractionTask_h
 
+#include "itkMedialVoxelCellLevels.h"
 #include "itkMedialVoxelEngineSettings.h"
 #include "itkMedialVoxelImportance.h"
 #include "itkMedialVoxelTileObserver.h"
@@ -96,6 +97,7 @@ private:
   MedialVoxelFeatureTransform             m_Transform;
   MedialVoxelClassifier                   m_Classifier;
   MedialVoxelThickness                    m_Thickness;
+  MedialVoxelCellLevels                   m_Levels;
   std::optional<MedialVoxelGrayThickness> m_GrayThickness; // empty: walls are measured on the object
   std::optional<MedialVoxelImportance>    m_Importance;    // empty: nobody asked for it
 };

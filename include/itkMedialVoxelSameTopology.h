@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelSameTopology_h
+#define itkMedialVoxelSameTopology_h
+
+#include "itkMedialVoxelBits.h"
+#include "itkMedialVoxelGrid.h"
+#include "itkMedialVoxelTileResult.h"
+
+#include "MedialVoxelExport.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace itk
+{
+
+/** \class MedialVoxelSameTopology
+ * \brief Finds the cells that give the medial cells the topology of the object, from the tiles of a run.
+ *
+ * The tiles hold labels, object bits and levels of all voxels of the image, each voxel once. A slice goes on when all
+ * of its tiles are taken. In memory are the slices whose tiles are being made, and those that later ones still change:
+ * about 2.7 for each voxel of the deepest level, 22 more, and one for each voxel of the largest pore.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelSameTopology
+{
+public:
+  /** Takes the cells of a slice that get a label of their own, in the order of slices, in one thread at a time. */
+  using Consumer = std::function<void(const MedialVoxelBits & added)>;
+
+  /** \param maximumPoreSize of the extraction */
+  MedialVoxelSameTopology(const MedialVoxelGrid & grid, std::uint64_t maximumPoreSize, Consumer consumer);
+  ~MedialVoxelSameTopology();
+
+  /** Called by several workers at a time; one of them finds the cells of the slices that are complete. */
+  void
+  TakeTile(const MedialVoxelTileResult & tile);
+
+  /** Cells that the consumer got. */
+  std::uint64_t
+  GetNumberOfAddedCells() const;
+
+private:
+  class Implementation;
+
+  std::unique_ptr<Implementation> m_Implementation;
+};
+
+} // end namespace itk
+
+#endif

@@ -1,0 +1,281 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelThinning.h"
+
+#include "itkMedialVoxelCellLink.h"
+#include "itkMedialVoxelProgress.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace itk
+{
+
+namespace
+{
+
+constexpr std::int64_t TurnsPerPass = 8;
+
+/** Parity of x, y and z (bits 0, 1, 2) of the cells of a turn. */
+std::uint32_t
+ParityOf(const std::int64_t turn)
+{
+  constexpr std::array<std::uint32_t, 8> grayCode{ { 0, 1, 3, 2, 6, 7, 5, 4 } };
+  const std::uint32_t                    code = grayCode[static_cast<std::size_t>(turn % TurnsPerPass)];
+  const auto                             shift = static_cast<unsigned int>(turn / TurnsPerPass % 3);
+  return ((code << shift) | (code >> (3 - shift))) & 7u;
+}
+
+} // namespace
+
+MedialVoxelThinning::MedialVoxelThinning(const MedialVoxelGrid & grid, Consumer consumer)
+  : m_Image(grid.GetVoxelBox())
+  , m_Cells(grid.GetCellBox())
+  , m_Consumer(std::move(consumer))
+{}
+
+MedialVoxelBox
+MedialVoxelThinning::GetSliceBox(const std::int64_t slice) const
+{
+  MedialVoxelBox box = m_Image;
+  box.lower[2] = slice;
+  box.upper[2] = slice + 1;
+  return box;
+}
+
+void
+MedialVoxelThinning::AddSlice(MedialVoxelBits object, MedialVoxelBits medial, std::vector<LevelType> levels)
+{
+  m_Slices.push_back({ std::move(object), std::move(medial), std::move(levels), {}, {}, NotBegun, true });
+  const std::int64_t slice = m_NumberOfSlices++;
+  // The corners of a cell are in two slices, if the image has them.
+  const std::int64_t ready = slice - (m_Image.Extent(2) > 1 ? 1 : 0);
+  if (ready >= 0 && ready < m_Cells.upper[2])
+  {
+    this->Begin(ready);
+    this->GoOn(ready);
+    this->HandOver();
+  }
+}
+
+void
+MedialVoxelThinning::Begin(const std::int64_t slice)
+{
+  this->FindCells(slice);
+  this->SortCells(slice);
+  this->At(slice).turn = this->FindTurn(slice, 0);
+}
+
+/** Those with an object corner. */
+void
+MedialVoxelThinning::FindCells(const std::int64_t slice)
+{
+  Slice & own = this->At(slice);
+  own.cells.Reshape(this->GetSliceBox(slice));
+  for (std::int64_t y = 0; y < m_Cells.upper[1]; ++y)
+  {
+    MedialVoxelBits::WordType * const target = own.cells.GetRow(y, slice);
+    for (std::int64_t z = slice; z < std::min(slice + 2, m_Image.upper[2]); ++z)
+    {
+      const MedialVoxelBits & object = this->At(z).object;
+      for (std::int64_t rowY = y; rowY < std::min(y + 2, m_Image.upper[1]); ++rowY)
+      {
+        const MedialVoxelBits::WordType * const row = object.GetRow(rowY, z);
+        for (std::int64_t word = 0; word < object.GetWordsPerRow(); ++word)
+        {
+          target[word] |= row[word] | (row[word] >> 1) | (row[word + 1] << 63);
+        }
+      }
+    }
+    for (std::int64_t word = 0; word < own.cells.GetWordsPerRow(); ++word)
+    {
+      target[word] &= MedialVoxelBits::RangeMask(word, 0, m_Cells.upper[0]);
+    }
+  }
+}
+
+/** Put the cells that may be deleted into classes, by level. */
+void
+MedialVoxelThinning::SortCells(const std::int64_t slice)
+{
+  Slice & own = this->At(slice);
+  for (std::int64_t y = 0; y < m_Cells.upper[1]; ++y)
+  {
+    const MedialVoxelBits::WordType * const cells = own.cells.GetRow(y, slice);
+    const MedialVoxelBits::WordType * const medial = own.medial.GetRow(y, slice);
+    for (std::int64_t word = 0; word < own.cells.GetWordsPerRow(); ++word)
+    {
+      for (auto bits = cells[word] & ~medial[word]; bits != 0; bits &= bits - 1)
+      {
+        const std::int64_t x = word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(bits);
+        const LevelType    level = own.levels[static_cast<std::size_t>(y * m_Image.upper[0] + x)];
+        if (level == NoLevel)
+        {
+          own.hasLevels = false;
+        }
+        else
+        {
+          own.classes[static_cast<std::size_t>((x & 1) + 2 * (y & 1))].waiting.push_back(
+            { static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), level });
+        }
+      }
+    }
+  }
+  for (Class & cells : own.classes)
+  {
+    std::sort(
+      cells.waiting.begin(), cells.waiting.end(), [](const Cell & a, const Cell & b) { return a.level > b.level; });
+  }
+  own.levels = {};
+}
+
+/** The first turn from \a turn on in which the slice has work. */
+std::int64_t
+MedialVoxelThinning::FindTurn(const std::int64_t slice, std::int64_t turn)
+{
+  const auto & classes = this->At(slice).classes;
+  const bool   isActive =
+    std::any_of(classes.begin(), classes.end(), [](const Class & cells) { return !cells.active.empty(); });
+  if (!isActive)
+  {
+    std::int64_t lowest = Done;
+    for (const Class & cells : classes)
+    {
+      lowest = cells.waiting.empty() ? lowest : std::min<std::int64_t>(lowest, cells.waiting.back().level);
+    }
+    if (lowest == Done)
+    {
+      return Done;
+    }
+    turn = std::max(turn, lowest * TurnsPerPass);
+  }
+  const auto ownParity = static_cast<std::uint32_t>(slice & 1);
+  for (;; ++turn)
+  {
+    const std::uint32_t parity = ParityOf(turn);
+    if ((parity >> 2) == ownParity && classes[parity & 3u].HasWork(turn / TurnsPerPass))
+    {
+      return turn;
+    }
+  }
+}
+
+/** Whether the slices beside it have taken all turns before its next one. */
+bool
+MedialVoxelThinning::CanGoOn(const std::int64_t slice)
+{
+  const std::int64_t turn = this->At(slice).turn;
+  const auto         isAhead = [&](const std::int64_t other) {
+    return other < m_FirstSlice || other >= m_Cells.upper[2] || (other<m_NumberOfSlices && this->At(other).turn> turn);
+  };
+  return turn != NotBegun && turn != Done && isAhead(slice - 1) && isAhead(slice + 1);
+}
+
+/** Let the slice and all that wait for it take their turns. */
+void
+MedialVoxelThinning::GoOn(const std::int64_t slice)
+{
+  std::vector<std::int64_t> slices{ slice - 1, slice };
+  while (!slices.empty())
+  {
+    const std::int64_t next = slices.back();
+    slices.pop_back();
+    if (next < m_FirstSlice || next >= m_NumberOfSlices || !this->CanGoOn(next))
+    {
+      continue;
+    }
+    do
+    {
+      this->TakeTurn(next);
+    } while (this->CanGoOn(next));
+    slices.insert(slices.end(), { next - 1, next + 1 });
+  }
+}
+
+void
+MedialVoxelThinning::TakeTurn(const std::int64_t slice)
+{
+  MedialVoxelCheckAbort();
+  Slice &            own = this->At(slice);
+  const std::int64_t pass = own.turn / TurnsPerPass;
+  Class &            cells = own.classes[ParityOf(own.turn) & 3u];
+  for (; !cells.waiting.empty() && cells.waiting.back().level <= pass; cells.waiting.pop_back())
+  {
+    cells.active.push_back(cells.waiting.back());
+  }
+  const auto end = std::remove_if(cells.active.begin(), cells.active.end(), [&](const Cell & cell) {
+    if (this->IsSimple(slice, cell))
+    {
+      own.cells.GetRow(cell.y, slice)[cell.x >> 6] &= ~(MedialVoxelBits::WordType{ 1 } << (cell.x & 63));
+      return true;
+    }
+    return pass - cell.level == NumberOfChances - 1;
+  });
+  cells.active.erase(end, cells.active.end());
+  own.turn = this->FindTurn(slice, own.turn + 1);
+}
+
+bool
+MedialVoxelThinning::IsSimple(const std::int64_t slice, const Cell & cell)
+{
+  std::uint32_t cells = 0;
+  std::uint32_t voxels = 0;
+  for (int dz = -1; dz <= 1; ++dz)
+  {
+    const std::int64_t z = slice + dz;
+    if (z < m_FirstSlice || z >= m_NumberOfSlices)
+    {
+      continue;
+    }
+    const Slice & other = this->At(z);
+    for (int dy = -1; dy <= 1; ++dy)
+    {
+      const std::int64_t y = cell.y + dy;
+      if (y < 0 || y >= m_Image.upper[1])
+      {
+        continue;
+      }
+      if (z < m_Cells.upper[2])
+      {
+        cells |= static_cast<std::uint32_t>(other.cells.Extract(cell.x - 1, y, z) & 7u) << (9 * dz + 3 * dy + 12);
+      }
+      if (dy >= 0 && dz >= 0)
+      {
+        voxels |= static_cast<std::uint32_t>(other.object.Extract(cell.x, y, z) & 3u) << (4 * dz + 2 * dy);
+      }
+    }
+  }
+  return MedialVoxelCellLink::IsSimple(cells, voxels);
+}
+
+/** Give slices that are done to the consumer, and keep only those that others need. */
+void
+MedialVoxelThinning::HandOver()
+{
+  const auto isDone = [&](const std::int64_t slice) {
+    return slice < m_NumberOfSlices && this->At(slice).turn == Done;
+  };
+  for (; m_NumberHandedOver < m_Cells.upper[2] && isDone(m_NumberHandedOver); ++m_NumberHandedOver)
+  {
+    const Slice & own = this->At(m_NumberHandedOver);
+    m_Added.Reshape(own.cells.GetBox());
+    for (std::int64_t y = 0; y < m_Cells.upper[1] && own.hasLevels; ++y)
+    {
+      MedialVoxelBits::WordType * const       target = m_Added.GetRow(y, m_NumberHandedOver);
+      const MedialVoxelBits::WordType * const kept = own.cells.GetRow(y, m_NumberHandedOver);
+      const MedialVoxelBits::WordType * const medial = own.medial.GetRow(y, m_NumberHandedOver);
+      for (std::int64_t word = 0; word < m_Added.GetWordsPerRow(); ++word)
+      {
+        target[word] = kept[word] & ~medial[word];
+      }
+    }
+    m_Consumer(m_NumberHandedOver, own.cells, m_Added);
+  }
+  while (m_FirstSlice < m_NumberHandedOver && (isDone(m_FirstSlice + 1) || m_NumberHandedOver == m_Cells.upper[2]))
+  {
+    m_Slices.pop_front();
+    ++m_FirstSlice;
+  }
+}
+
+} // end namespace itk
