@@ -4,11 +4,13 @@
 #define itkMedialVoxelImageFilter_h
 
 #include "itkMedialVoxelImageFilterBase.h"
+#include "itkMedialVoxelSameTopology.h"
 #include "itkMedialVoxelSheetProperties.h"
 
 #include "itkImage.h"
 #include "itkVector.h"
 
+#include <memory>
 #include <vector>
 
 namespace itk
@@ -24,7 +26,8 @@ namespace itk
  * - 0: no corner of the cell is an object voxel,
  * - 1: non-medial,
  * - 2: medial, decided by the bound,
- * - 3: medial, decided by the geodesic search.
+ * - 3: medial, decided by the geodesic search,
+ * - 4: with SameTopology, added for the topology of the object.
  *
  * The pair of a cell is the diagonal whose two nearest boundary points are seen under the widest angle. The cell is
  * medial when the geodesic distance of these points on the boundary is at least epsilon = pi Thickness / 2 (Eq. 1 of
@@ -47,6 +50,13 @@ namespace itk
  * that of the labels. MedialVoxelThickness describes the measurement: walls parallel to an axis are exact, others to a
  * layer of voxels. SubvoxelThicknessOn() measures on the gray values of a scan, see MedialVoxelGrayThickness; masks and
  * label maps are measured on the object.
+ *
+ * \par Topology
+ * SameTopologyOn() adds cells with the label 4. Then the labels 2, 3 and 4 together have as many parts, tunnels and
+ * cavities as the object; labels 2 and 3 stay. Two cells are joined when they are neighbors along an axis and one of
+ * the voxels around the edge between them is object. Parts without a medial cell keep a line or a cell. Closed pores of
+ * up to MaximumPoreSize voxels, joined at faces, are no cavities. An image without background gets no label 4. The
+ * filter always updates the whole image then. MedialVoxelThinning has the rule.
  *
  * \par Departures from the paper
  * doc/explanation/method.md gives the reasons.
@@ -118,6 +128,18 @@ public:
   GetRaisedMaximumThickness() const
   {
     return this->GetNeededMaximum().value_or(0.0);
+  }
+
+  /** Add cells so that the sheet has the topology of the object. Default off, which costs neither time nor memory. */
+  itkSetMacro(SameTopology, bool);
+  itkGetConstMacro(SameTopology, bool);
+  itkBooleanMacro(SameTopology);
+
+  /** Number of cells that the last update with SameTopology added. */
+  SizeValueType
+  GetNumberOfAddedCells() const
+  {
+    return m_NumberOfAddedCells;
   }
 
   /** Produce the vector distance output. Default off, which costs neither time nor memory. */
@@ -208,6 +230,9 @@ protected:
   void
   GenerateOutputInformation() override;
 
+  void
+  EnlargeOutputRequestedRegion(DataObject * output) override;
+
   MedialVoxelEngineTask
   GetTask(const MedialVoxelGrid & grid) const override;
 
@@ -233,6 +258,15 @@ private:
   /** Create a named output when it is switched on, remove it when it is switched off. */
   void
   SwitchOutput(bool & isOn, bool generate, const char * name);
+
+  /** Give the label to cells of a slice. */
+  void
+  LabelAddedCells(const MedialVoxelBits & added);
+
+  bool          m_SameTopology{ false };
+  SizeValueType m_NumberOfAddedCells{ 0 };
+
+  std::unique_ptr<MedialVoxelSameTopology> m_Topology; ///< during an update
 
   bool         m_GenerateVectorDistance{ false };
   BoundaryEnum m_VectorDistanceBoundary{ BoundaryEnum::Object };

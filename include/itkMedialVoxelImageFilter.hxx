@@ -133,12 +133,25 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GenerateOutputInformation()
   }
 }
 
+/** Cells depend on others far away, and the label comes after those around it. */
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::EnlargeOutputRequestedRegion(DataObject * output)
+{
+  Superclass::EnlargeOutputRequestedRegion(output);
+  if (m_SameTopology)
+  {
+    output->SetRequestedRegionToLargestPossibleRegion();
+  }
+}
+
 template <typename TInputImage, typename TOutputImage>
 MedialVoxelEngineTask
 MedialVoxelImageFilter<TInputImage, TOutputImage>::GetTask(const MedialVoxelGrid & grid) const
 {
   MedialVoxelSheetExtraction extraction;
   extraction.parameters = this->GetParameters(grid, this->GetNeededMaximum());
+  extraction.findsLevels = m_SameTopology;
   extraction.measuresThickness = m_GenerateThickness || m_GenerateUncertainty;
   extraction.findsImportance = m_GenerateImportance;
   if (m_GenerateVectorDistance)
@@ -162,6 +175,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::TakeTile(const MedialVoxelTil
 {
   TOutputImage & labels = *this->GetOutput();
   tile.WriteLabels(this->FirstPixelOf(labels, tile.box), this->StridesOf(labels));
+  if (m_Topology)
+  {
+    m_Topology->TakeTile(tile);
+  }
   if (m_GenerateThickness)
   {
     ThicknessImageType & thickness = *this->GetThicknessOutput();
@@ -191,7 +208,39 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::RunRegion(const MedialVoxelBo
   {
     this->PrepareScan(this->GetScanLevels());
   }
-  return Superclass::RunRegion(region);
+  m_Topology.reset(); // of an update that was aborted
+  if (!m_SameTopology)
+  {
+    return Superclass::RunRegion(region);
+  }
+  const MedialVoxelGrid grid = this->GetGrid();
+  m_Topology = std::make_unique<MedialVoxelSameTopology>(
+    grid, this->GetParameters(grid).maximumPoreSize, [this](const auto & added) { this->LabelAddedCells(added); });
+  const MedialVoxelSums sums = Superclass::RunRegion(grid.GetVoxelBox());
+  m_NumberOfAddedCells = static_cast<SizeValueType>(m_Topology->GetNumberOfAddedCells());
+  m_Topology.reset();
+  return sums;
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::LabelAddedCells(const MedialVoxelBits & added)
+{
+  TOutputImage &       labels = *this->GetOutput();
+  const MedialVoxelBox box = added.GetBox();
+  const std::int64_t   z = box.lower[2];
+  OutputPixelType *    row = this->FirstPixelOf(labels, box);
+  for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y, row += this->StridesOf(labels)[1])
+  {
+    for (std::int64_t word = 0; word < added.GetWordsPerRow(); ++word)
+    {
+      for (auto bits = added.GetRow(y, z)[word]; bits != 0; bits &= bits - 1)
+      {
+        row[word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(bits)] =
+          static_cast<OutputPixelType>(MedialVoxelLabel::AddedForTopology);
+      }
+    }
+  }
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -202,6 +251,8 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream & os, 
   os << indent << "ObjectIsSmoothed: " << (this->GetObjectIsSmoothed() ? "Yes" : "No") << std::endl;
   os << indent << "Roughness: " << this->GetRoughness() << std::endl;
   os << indent << "RaisedMaximumThickness: " << this->GetRaisedMaximumThickness() << std::endl;
+  os << indent << "SameTopology: " << (m_SameTopology ? "On" : "Off") << std::endl;
+  os << indent << "NumberOfAddedCells: " << m_NumberOfAddedCells << std::endl;
   os << indent << "GenerateVectorDistance: " << (m_GenerateVectorDistance ? "On" : "Off") << std::endl;
   os << indent << "VectorDistanceBoundary: " << m_VectorDistanceBoundary << std::endl;
   os << indent << "GenerateThickness: " << (m_GenerateThickness ? "On" : "Off") << std::endl;

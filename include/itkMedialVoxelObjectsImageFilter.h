@@ -24,8 +24,8 @@ namespace itk
  * Objects that are more than a reach apart (MedialVoxelObjectAdjacency) share a pass. An update reads all of the input
  * once to find them, and holds 5 bytes more for each voxel of the requested region.
  *
- * Thresholds, ObjectValue, BackgroundValue, GenerateVectorDistance, GenerateImportance, SubvoxelThickness and Smoothing
- * are for one object: an update with one of them is refused. Smoothing is Off by default.
+ * Thresholds, ObjectValue, BackgroundValue, GenerateVectorDistance, GenerateImportance, SameTopology, SubvoxelThickness
+ * and Smoothing are for one object: an update with one of them is refused. Smoothing is Off by default.
  *
  * \sa MedialVoxelImageFilter
  * \ingroup MedialVoxel

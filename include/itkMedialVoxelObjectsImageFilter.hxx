@@ -222,9 +222,11 @@ MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() 
   {
     itkExceptionMacro("The objects of a label map are not smoothed; Smoothing must be Off.");
   }
-  if (this->GetGenerateVectorDistance() || this->GetGenerateImportance())
+  if (this->GetGenerateVectorDistance() || this->GetGenerateImportance() || this->GetSameTopology())
   {
-    itkExceptionMacro("Vectors and importance are for one object; set ObjectValue of MedialVoxelImageFilter instead.");
+    itkExceptionMacro(
+      "Vectors, importance and SameTopology are for one object; set ObjectValue of MedialVoxelImageFilter "
+      "instead.");
   }
   for (const std::int64_t label : m_ObjectLabels)
   {

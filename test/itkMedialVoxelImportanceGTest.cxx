@@ -194,4 +194,7 @@ TEST(Importance, IsOfOneObject)
   filter->SetInput(MakeImage<MaskImage<3>>(Subjects()[0].volume));
   filter->GenerateImportanceOn();
   EXPECT_THROW(filter->Update(), itk::ExceptionObject);
+  filter->GenerateImportanceOff();
+  filter->SameTopologyOn();
+  EXPECT_THROW(filter->Update(), itk::ExceptionObject);
 }

@@ -202,7 +202,7 @@ TEST(MedialVoxelThinning, TheResultHasTheBettiNumbersOfTheVoxels)
   int deleted = 0;
   for (const auto & size : GetSizes())
   {
-    for (unsigned int seed = 100; seed < 200; ++seed)
+    for (unsigned int seed = 100; seed < 130; ++seed)
     {
       const Scene scene = MakeScene(seed, size);
       const auto  result = Thin(scene);
@@ -214,7 +214,7 @@ TEST(MedialVoxelThinning, TheResultHasTheBettiNumbersOfTheVoxels)
       });
     }
   }
-  EXPECT_GT(deleted, 100000);
+  EXPECT_GT(deleted, 30000);
 }
 
 /** Without medial cells, a thick plate becomes a cell, a plate with a hole a ring. */
