@@ -95,8 +95,8 @@ CheckListing()
   {
     writers.insert(volume.write);
     const bool isOfLabels = volume.role == "labels" || volume.role == "objects";
-    const bool isOfCells = isOfLabels || volume.role == "thickness_map" || volume.role == "uncertainty_map";
-    EXPECT_EQ(volume.geometry.origin.front(), isOfCells ? 0.5 : 0.0) << volume.role;
+    const bool isOfVoxels = volume.role == "local_thickness" || volume.role == "distance" || volume.role == "vectors";
+    EXPECT_EQ(volume.geometry.origin.front(), isOfVoxels ? 0.0 : 0.5) << volume.role;
     EXPECT_EQ(volume.layout.components, volume.role == "vectors" ? 3 : 1) << volume.role;
     EXPECT_EQ(volume.layout.pixelType, isOfLabels ? PixelType::UInt8 : PixelType::Float32) << volume.role;
   }
@@ -107,7 +107,7 @@ CheckListing()
 TEST(MedialVoxelOutputs, OfAnExtractionAreListed)
 {
   CheckListing<ExtractOptions>();
-  EXPECT_EQ(ListVolumeNames(AskForAll<ExtractOptions>()).size(), 7);
+  EXPECT_EQ(ListVolumeNames(AskForAll<ExtractOptions>()).size(), 8);
 }
 
 TEST(MedialVoxelOutputs, OfDistancesAreListed)
