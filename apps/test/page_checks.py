@@ -221,12 +221,14 @@ class BrowserTest(PageCase):
             pixels = {}
             for is_on in (False, True):
                 self.assertEqual(browser.find("#view-surface")[0].is_selected(), is_on)
+                if is_on:
+                    browser.wait_for_pixels(lambda seen: not numpy.array_equal(seen, pixels[False]))
                 pixels[is_on] = browser.settled_pixels()
                 browser.press("s")
             self.assertGreater((abs(pixels[True] - pixels[False]).max(axis=2) > 20).mean(), 0.1, "the surface is drawn")
             spread = {is_on: values.max(axis=2) - values.min(axis=2) for is_on, values in pixels.items()}
             self.assertGreater((spread[True] > 30).mean(), 0.6 * (spread[False] > 30).mean(), "the sheet is seen through it")
-            self.assertTrue(numpy.array_equal(browser.settled_pixels(), pixels[False]), "off again")
+            browser.wait_for_pixels(lambda seen: numpy.array_equal(seen, pixels[False]))
         browser.find("#view-surface")[0].click()
         triangles = int(browser.wait("partTriangles")["partTriangles"])
         self.assertGreater(triangles, 1000)
