@@ -71,6 +71,8 @@ def run(command, arguments, folder):
     contents = results(folder) if arguments[0] != "info" else {"text": finished.stdout}
     digests = {}
     for name, content in sorted(contents.items()):
+        if isinstance(content, dict):
+            content.pop("itk_version", None)
         data = content if isinstance(content, bytes) else json.dumps([name, content]).encode()
         digests.setdefault(pathlib.Path(name).parts[0], hashlib.sha256()).update(data)
     return {name: data.hexdigest() for name, data in digests.items()} if finished.returncode == 0 else {}, seconds
