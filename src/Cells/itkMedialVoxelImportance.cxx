@@ -3,7 +3,6 @@
 #include "itkMedialVoxelImportance.h"
 
 #include <algorithm>
-#include <array>
 #include <tuple>
 
 namespace itk

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Program.h"
 
-#include "Errors.h"
 #include "AbortNotice.h"
+#include "Errors.h"
 #include "Signals.h"
 #include "StopListener.h"
 #include "Terminal.h"

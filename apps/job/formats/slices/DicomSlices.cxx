@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "AbortNotice.h"
 #include "DicomFrames.h"
 #include "DicomModule.h"
 #include "DicomTags.h"
 #include "Errors.h"
 #include "HeaderParsing.h"
-#include "AbortNotice.h"
 #include "SliceFormats.h"
 #include "Text.h"
 
