@@ -210,6 +210,37 @@ TEST(MedialVoxelTileWalls, AreThoseOfSingleCells)
   EXPECT_GT(compared, 1000u);
 }
 
+TEST(MedialVoxelTileWalls, OnGrayValuesAreThoseOfSingleCells)
+{
+  std::mt19937 random(5);
+  const Index3 size{ { 75, 20, 26 } };
+  std::size_t  changed = 0;
+  for (unsigned int trial = 0; trial < 6; ++trial)
+  {
+    const Values shells = DrawShells(random, size);
+    const Values values = [shells](const itk::MedialVoxelIndex & v) {
+      return std::abs(shells(v) - static_cast<double>((7 * v[0] + 5 * v[1] + 3 * v[2]) % 40));
+    };
+    const Tile           tile(values, MakeBox({ { 0, 0, 0 } }, { { 75, 20, 26 } }), size);
+    itk::MedialVoxelGray gray;
+    FillGray(values, tile.GetImage(), gray);
+    const auto measured = tile.Measure();
+    const auto points = tile.GetPoints();
+    auto       walls = measured;
+    ASSERT_TRUE(tile.Refine(gray, walls).IsEmpty());
+    for (std::size_t i = 0; i < walls.size(); ++i)
+    {
+      itk::MedialVoxelGrayThickness::Workspace workspace;
+      itk::MedialVoxelWall                     expected = measured[i];
+      tile.GetThickness().Refine(gray, points[i], workspace, expected);
+      EXPECT_EQ(walls[i].thickness, expected.thickness);
+      EXPECT_EQ(walls[i].area, expected.area);
+      changed += walls[i].thickness != measured[i].thickness ? 1 : 0;
+    }
+  }
+  EXPECT_GT(changed, 1000u);
+}
+
 TEST(MedialVoxelTileWalls, AsksForGrayValuesThatAreNotKnown)
 {
   const Values         plate = [](const itk::MedialVoxelIndex & v) { return v[2] >= 9 && v[2] < 15 ? 100.0 : 0.0; };

@@ -159,9 +159,9 @@ SumOfMisfit(const Arrays &         arrays,
 MedialVoxelFitSums::MedialVoxelFitSums(const MedialVoxelGrayLocal::Samples & samples,
                                        const double                          place,
                                        const double                          reach)
+  : m_Room((samples.GetNumber() / MedialVoxelNumberOfLanes + 1) * MedialVoxelNumberOfLanes)
+  , m_Samples(new float[3 * m_Room])
 {
-  const std::size_t room = (samples.GetNumber() / MedialVoxelNumberOfLanes + 1) * MedialVoxelNumberOfLanes;
-  m_Samples.resize(3 * room);
   const auto  middle = static_cast<float>(place);
   const auto  limit = static_cast<float>(reach);
   std::size_t number = 0;
@@ -169,16 +169,16 @@ MedialVoxelFitSums::MedialVoxelFitSums(const MedialVoxelGrayLocal::Samples & sam
   {
     const float along = samples.GetAlong()[i];
     m_Samples[number] = along;
-    m_Samples[room + number] = samples.GetWeights()[i];
-    m_Samples[2 * room + number] = samples.GetValues()[i];
+    m_Samples[m_Room + number] = samples.GetWeights()[i];
+    m_Samples[2 * m_Room + number] = samples.GetValues()[i];
     number += std::abs(along - middle) <= limit ? 1 : 0;
   }
   // The last lanes are filled with samples that do not count.
   for (; number % MedialVoxelNumberOfLanes != 0; ++number)
   {
     m_Samples[number] = middle;
-    m_Samples[room + number] = 0.0F;
-    m_Samples[2 * room + number] = 0.0F;
+    m_Samples[m_Room + number] = 0.0F;
+    m_Samples[2 * m_Room + number] = 0.0F;
   }
   m_Number = number;
 }
@@ -186,8 +186,8 @@ MedialVoxelFitSums::MedialVoxelFitSums(const MedialVoxelGrayLocal::Samples & sam
 auto
 MedialVoxelFitSums::GetArrays() const -> Arrays
 {
-  const std::size_t room = m_Samples.size() / 3;
-  return { m_Samples.data(), m_Samples.data() + room, m_Samples.data() + 2 * room, m_Number };
+  const float * const samples = m_Samples.get();
+  return { samples, samples + m_Room, samples + 2 * m_Room, m_Number };
 }
 
 auto

@@ -8,7 +8,7 @@
 #include "MedialVoxelExport.h"
 
 #include <cstddef>
-#include <vector>
+#include <memory>
 
 namespace itk
 {
@@ -95,8 +95,9 @@ private:
   Arrays
   GetArrays() const;
 
-  std::vector<float> m_Samples; // places, weights and values, one after the other
-  std::size_t        m_Number;
+  std::size_t              m_Room;
+  std::unique_ptr<float[]> m_Samples; // places, weights and values, one after the other
+  std::size_t              m_Number;
 };
 
 } // end namespace itk
