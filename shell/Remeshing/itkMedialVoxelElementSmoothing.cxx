@@ -143,8 +143,8 @@ private:
   GetLimit(const Element & element) const
   {
     const Vector middle = MedialVoxelElementMiddle(m_Complex, element);
-    return std::max(Tolerance * MedialVoxelLargestSize(m_Complex, element),
-                    m_Fine.FindOnWall(middle, element.wall).distance);
+    const double limit = Tolerance * MedialVoxelLargestSize(m_Complex, element);
+    return m_Fine.HasWallWithin(middle, element.wall, limit) ? limit : m_Fine.FindOnWall(middle, element.wall).distance;
   }
 
   double

@@ -290,7 +290,7 @@ private:
       const double way = most * step / Steps;
       const Vector place = MedialVoxelAddScaled(m_Lines.PointOf(point), shift, way / across);
       const double least = LeastClearance * way;
-      if (tree.Find(place, 0).distance < (way > across ? std::min(least, near) : least))
+      if (tree.HasWithin(place, 0, way > across ? std::min(least, near) : least))
       {
         return most * (step - 1) / Steps;
       }

@@ -241,7 +241,7 @@ MedialVoxelSheetDecimation::TryCollapse(const Index from, const Index to, const 
     const Index other = neighbor.vertex;
     return other == to || this->GetLength(other, to) <= Long * this->GetSize(other, to);
   });
-  if (!isShort || !this->KeepsShapes(from, to) || !m_Complex.CanCollapse(from, to))
+  if (!isShort || !this->KeepsShapes(from, to) || !m_Complex.CanCollapse(from, neighbors, to))
   {
     return false;
   }

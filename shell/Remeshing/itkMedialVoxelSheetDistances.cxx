@@ -9,6 +9,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 namespace itk
 {
@@ -261,8 +262,8 @@ MedialVoxelSheetDistances::MeasureSamples(const MedialVoxelSheet & part) const
   {
     return result;
   }
-  const MedialVoxelSheetTree tree(part.points, part.triangles, std::vector<Index>(part.triangles.size(), 0));
-  const Bounds               bounds = FindBounds(part.points);
+  std::optional<MedialVoxelSheetTree> tree; // where a sample is near
+  const Bounds                        bounds = FindBounds(part.points);
   for (const Group & group : m_Groups)
   {
     for (std::size_t i = 0; i < group.samples.size() && AreWithin(group.bounds, bounds, m_Within); ++i)
@@ -270,7 +271,11 @@ MedialVoxelSheetDistances::MeasureSamples(const MedialVoxelSheet & part) const
       const Vector & point = m_Samples[group.samples[i]].point;
       if (AreWithin({ point, point }, bounds, m_Within))
       {
-        const double distance = tree.Find(point, 0, m_Within).distance;
+        if (!tree)
+        {
+          tree.emplace(part.points, part.triangles, std::vector<Index>(part.triangles.size(), 0));
+        }
+        const double distance = tree->Find(point, 0, m_Within).distance;
         if (distance < m_Within)
         {
           result.emplace_back(group.samples[i], distance);

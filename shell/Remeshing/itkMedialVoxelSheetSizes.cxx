@@ -84,29 +84,46 @@ MedialVoxelSheetSizes::Spread()
       trianglesOf[next[point]++] = triangle;
     }
   }
+  // Calls raise(other, size) for each point that a point would raise.
+  const auto forEachLower = [&](const Index point, const auto & raise) {
+    for (Index k = starts[point]; k < starts[point + 1]; ++k)
+    {
+      for (const Index other : m_Sheet->triangles[trianglesOf[k]])
+      {
+        if (m_Sizes[other] < m_Sizes[point])
+        {
+          const auto spread = static_cast<float>(
+            m_Sizes[point] - SizeSlope * GetDistance(m_Sheet->points[point], m_Sheet->points[other]));
+          if (spread > m_Sizes[other])
+          {
+            raise(other, spread);
+          }
+        }
+      }
+    }
+  };
   using Entry = std::pair<float, Index>;
   std::vector<Entry> content;
   for (Index point = 0; point < m_Sizes.size(); ++point)
   {
-    content.emplace_back(m_Sizes[point], point);
+    bool isHigh = false;
+    forEachLower(point, [&](Index, float) { isHigh = true; });
+    if (isHigh)
+    {
+      content.emplace_back(m_Sizes[point], point);
+    }
   }
   std::priority_queue<Entry> queue(std::less<Entry>(), std::move(content));
   while (!queue.empty())
   {
     const auto [size, point] = queue.top();
     queue.pop();
-    for (Index k = starts[point]; size == m_Sizes[point] && k < starts[point + 1]; ++k)
+    if (size == m_Sizes[point])
     {
-      for (const Index other : m_Sheet->triangles[trianglesOf[k]])
-      {
-        const auto spread =
-          static_cast<float>(size - SizeSlope * GetDistance(m_Sheet->points[point], m_Sheet->points[other]));
-        if (spread > m_Sizes[other])
-        {
-          m_Sizes[other] = spread;
-          queue.emplace(spread, other);
-        }
-      }
+      forEachLower(point, [&](const Index other, const float spread) {
+        m_Sizes[other] = spread;
+        queue.emplace(spread, other);
+      });
     }
   }
 }

@@ -43,6 +43,13 @@ GetDistance2(const Vector & a, const Vector & b)
   return MedialVoxelDot(between, between);
 }
 
+/** The larger of two numbers without a branch, which std::max() of three has. */
+double
+GetLarger(const double a, const double b)
+{
+  return a > b ? a : b;
+}
+
 template <typename TNode>
 double
 GetDistance2ToBox(const Vector & point, const TNode & node)
@@ -50,7 +57,7 @@ GetDistance2ToBox(const Vector & point, const TNode & node)
   double sum = 0.0;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    const double outside = std::max({ node.low[axis] - point[axis], point[axis] - node.high[axis], 0.0 });
+    const double outside = GetLarger(GetLarger(node.low[axis] - point[axis], point[axis] - node.high[axis]), 0.0);
     sum += outside * outside;
   }
   return sum;
@@ -160,10 +167,15 @@ MedialVoxelSheetTree::Build(const Index first, const Index count, const std::vec
         for (unsigned int axis = 0; axis < 3; ++axis)
         {
           const auto coordinate = static_cast<float>((*m_Points)[corner][axis]);
-          m_Nodes[number].low[axis] = std::min(m_Nodes[number].low[axis], std::nextafter(coordinate, -infinity));
-          m_Nodes[number].high[axis] = std::max(m_Nodes[number].high[axis], std::nextafter(coordinate, infinity));
+          m_Nodes[number].low[axis] = std::min(m_Nodes[number].low[axis], coordinate);
+          m_Nodes[number].high[axis] = std::max(m_Nodes[number].high[axis], coordinate);
         }
       }
+    }
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      m_Nodes[number].low[axis] = std::nextafter(m_Nodes[number].low[axis], -infinity);
+      m_Nodes[number].high[axis] = std::nextafter(m_Nodes[number].high[axis], infinity);
     }
     return;
   }

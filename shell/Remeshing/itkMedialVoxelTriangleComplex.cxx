@@ -59,8 +59,10 @@ MedialVoxelTriangleComplex::AddTriangle(const Triangle & triangle, const Index w
     m_Triangles[number] = triangle;
     m_Walls[number] = wall;
   }
+  constexpr std::size_t mostlyEnough = 8;
   for (const Index vertex : triangle)
   {
+    m_TrianglesOf[vertex].reserve(mostlyEnough);
     m_TrianglesOf[vertex].push_back(number);
   }
   return number;
@@ -134,29 +136,30 @@ MedialVoxelTriangleComplex::GetOpposite(const Index triangle, const Index a, con
 MedialVoxelTriangleComplex::Neighbors
 MedialVoxelTriangleComplex::FindNeighbors(const Index vertex) const
 {
-  Neighbors neighbors;
+  // Both ends of the side opposite to the vertex, in each triangle; each vertex mostly comes twice.
+  MedialVoxelShortList<Index, 24> others;
   for (const Index triangle : m_TrianglesOf[vertex])
   {
-    for (const Index other : m_Triangles[triangle])
+    const Triangle & corners = m_Triangles[triangle];
+    others.push_back(corners[0] == vertex ? corners[1] : corners[0]);
+    others.push_back(corners[2] == vertex ? corners[1] : corners[2]);
+  }
+  Neighbors neighbors;
+  Index *   begin = others.begin();
+  Index *   end = others.end();
+  while (begin != end)
+  {
+    const Index  lowest = *std::min_element(begin, end);
+    unsigned int triangles = 0;
+    for (Index * place = begin; place != end; ++place)
     {
-      if (other == vertex)
+      if (*place == lowest)
       {
-        continue;
-      }
-      Neighbor * place = neighbors.end();
-      while (place != neighbors.begin() && (place - 1)->vertex >= other)
-      {
-        --place;
-      }
-      if (place != neighbors.end() && place->vertex == other)
-      {
-        ++place->triangles;
-      }
-      else
-      {
-        neighbors.insert(place, { other, 1 });
+        *place = *begin++;
+        ++triangles;
       }
     }
+    neighbors.push_back({ lowest, triangles });
   }
   return neighbors;
 }
@@ -193,13 +196,12 @@ MedialVoxelTriangleComplex::IsOnRim(const Index vertex) const
 }
 
 bool
-MedialVoxelTriangleComplex::CanCollapse(const Index a, const Index b, const bool pinching) const
+MedialVoxelTriangleComplex::CanCollapse(const Index a, const Neighbors & ofA, const Index b, const bool pinching) const
 {
   if (this->IsShared(a))
   {
     return false;
   }
-  const Neighbors  ofA = this->FindNeighbors(a);
   const Neighbors  ofB = this->FindNeighbors(b);
   unsigned int     triangles = 0;
   unsigned int     common = 0;

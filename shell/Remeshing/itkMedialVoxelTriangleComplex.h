@@ -155,7 +155,14 @@ public:
    * neighbors but the corners opposite to the side, and not both lie on rims, unless the side does or \a pinching. No
    * when \a is shared, or gives \a b a side to another shared vertex. */
   bool
-  CanCollapse(Index a, Index b, bool pinching = false) const;
+  CanCollapse(Index a, Index b, bool pinching = false) const
+  {
+    return this->CanCollapse(a, this->FindNeighbors(a), b, pinching);
+  }
+
+  /** The same, with the neighbors of a that were found. */
+  bool
+  CanCollapse(Index a, const Neighbors & ofA, Index b, bool pinching = false) const;
 
   /** Puts a vertex on a neighbor of it; triangles of their side are removed. \pre CanCollapse(from, to) */
   void

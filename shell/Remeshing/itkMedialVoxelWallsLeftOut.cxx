@@ -16,12 +16,31 @@ namespace
 
 using Index = MedialVoxelSheet::Index;
 
-/** Lengths of the outlines of walls: of sides that are not of two triangles. */
+/** Lengths of the outlines of walls that are not kept: of sides that are not of two triangles. */
 std::vector<double>
-MeasureOutlines(const MedialVoxelSheet & sheet, const std::vector<Index> & wallOf, const std::size_t numberOfWalls)
+MeasureOutlines(const MedialVoxelSheet & sheet, const std::vector<Index> & wallOf, const std::vector<bool> & isKept)
 {
-  const std::vector<MedialVoxelSheetSide> sides = MedialVoxelSortSides(sheet.triangles);
-  std::vector<double>                     lengths(numberOfWalls);
+  std::vector<bool> isOfOne(sheet.points.size());
+  for (Index triangle = 0; triangle < sheet.triangles.size(); ++triangle)
+  {
+    for (const Index point : sheet.triangles[triangle])
+    {
+      isOfOne[point] = isOfOne[point] || !isKept[wallOf[triangle]];
+    }
+  }
+  std::vector<Index>                numbers; // of triangles at them
+  std::vector<std::array<Index, 3>> triangles;
+  for (Index triangle = 0; triangle < sheet.triangles.size(); ++triangle)
+  {
+    const auto & corners = sheet.triangles[triangle];
+    if (std::any_of(corners.begin(), corners.end(), [&](const Index point) { return isOfOne[point]; }))
+    {
+      numbers.push_back(triangle);
+      triangles.push_back(corners);
+    }
+  }
+  const std::vector<MedialVoxelSheetSide> sides = MedialVoxelSortSides(triangles);
+  std::vector<double>                     lengths(isKept.size());
   for (std::size_t first = 0, last = 0; first < sides.size(); first = last)
   {
     while (last < sides.size() && sides[first] == sides[last])
@@ -30,7 +49,7 @@ MeasureOutlines(const MedialVoxelSheet & sheet, const std::vector<Index> & wallO
     }
     for (std::size_t k = first; last - first != 2 && k < last; ++k)
     {
-      lengths[wallOf[sides[k].triangle]] +=
+      lengths[wallOf[numbers[sides[k].triangle]]] +=
         MedialVoxelNorm(MedialVoxelSubtract(sheet.points[sides[k].low], sheet.points[sides[k].high]));
     }
   }
@@ -45,10 +64,18 @@ MedialVoxelListWallsLeftOut(const MedialVoxelSheet &   sheet,
                             const std::vector<bool> &  isKept,
                             const double               least)
 {
-  const std::vector<double>           outlines = MeasureOutlines(sheet, wallOf, isKept.size());
+  if (std::find(isKept.begin(), isKept.end(), false) == isKept.end())
+  {
+    return {};
+  }
+  const std::vector<double>           outlines = MeasureOutlines(sheet, wallOf, isKept);
   std::vector<MedialVoxelWallLeftOut> walls(isKept.size());
   for (Index triangle = 0; triangle < sheet.triangles.size(); ++triangle)
   {
+    if (isKept[wallOf[triangle]])
+    {
+      continue;
+    }
     MedialVoxelWallLeftOut & wall = walls[wallOf[triangle]];
     const auto &             corners = sheet.triangles[triangle];
     const auto               at = [&](const unsigned int k) { return sheet.points[corners[k]]; };

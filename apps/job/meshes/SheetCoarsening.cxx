@@ -39,20 +39,22 @@ GetGroup(const std::vector<std::uint64_t> & first, const std::uint64_t number)
   return static_cast<std::uint64_t>(std::upper_bound(first.begin(), first.end(), number) - first.begin()) - 1;
 }
 
+/** Of the sides of elements, 0 without any. */
 double
-GetLongestSide(const itk::MedialVoxelRemeshedSheet & sheet)
+GetMeanSide(const itk::MedialVoxelRemeshedSheet & sheet)
 {
-  double longest = 0.0;
+  double      sum = 0.0;
+  std::size_t number = 0;
   for (const itk::MedialVoxelShellElement & element : sheet.elements)
   {
-    for (unsigned int k = 0; k < element.numberOfCorners; ++k)
+    for (unsigned int k = 0; k < element.numberOfCorners; ++k, ++number)
     {
       const auto & a = sheet.points[element.corners[k]];
       const auto & b = sheet.points[element.corners[(k + 1) % element.numberOfCorners]];
-      longest = std::max(longest, itk::MedialVoxelNorm(itk::MedialVoxelSubtract(a, b)));
+      sum += itk::MedialVoxelNorm(itk::MedialVoxelSubtract(a, b));
     }
   }
-  return longest;
+  return number > 0 ? sum / static_cast<double>(number) : 0.0;
 }
 
 } // namespace
@@ -226,7 +228,7 @@ SheetCoarsening::MeasureDistances(const itk::MedialVoxelRemeshedSheet & coarse,
     std::vector<itk::MedialVoxelSheetDistances::SampleDistance> samples;
   };
   // Samples are near the fine surface nearly always, but for rims that were carried on.
-  const double side = GetLongestSide(coarse);
+  const double side = GetMeanSide(coarse);
   bool         isFirst = true;
   for (const double within : { side, 4.0 * side, 16.0 * side, itk::MedialVoxelSheetTree::Anywhere })
   {
