@@ -371,17 +371,26 @@ MedialVoxelBitFlood::FindLength(const MedialVoxelBits &         boundary,
   }
   return this->WithDomain(boundary, *window, lower, [&](const auto & layout, const auto & domain) {
     // The number of edges shows at once which thresholds are out of reach.
-    return this->Flood(layout, *window, domain) == Result::Reaches ? std::numeric_limits<double>::infinity()
-                                                                   : this->FloodByLength(layout, *window, domain);
+    return this->CountEdges(layout, *window, domain) == 0 ? std::numeric_limits<double>::infinity()
+                                                          : this->FloodByLength(layout, *window, domain);
   });
+}
+
+/** Edges of the path with the fewest; 0 when no path is shorter than the threshold. */
+template <typename TLayout>
+std::int64_t
+MedialVoxelBitFlood::CountEdges(const TLayout &               layout,
+                                const Window &                window,
+                                const typename TLayout::Set & domain) const
+{
+  return MedialVoxelFlood(layout, domain, TLayout::Point(window.bitOfA), TLayout::Point(window.bitOfB), m_MostEdges);
 }
 
 template <typename TLayout>
 MedialVoxelBitFlood::Result
 MedialVoxelBitFlood::Flood(const TLayout & layout, const Window & window, const typename TLayout::Set & domain) const
 {
-  const std::int64_t edges =
-    MedialVoxelFlood(layout, domain, TLayout::Point(window.bitOfA), TLayout::Point(window.bitOfB), m_MostEdges);
+  const std::int64_t edges = this->CountEdges(layout, window, domain);
   if (edges == 0)
   {
     return Result::Reaches;

@@ -144,6 +144,10 @@ private:
              TVisitor &&              visit) const;
 
   template <typename TLayout>
+  std::int64_t
+  CountEdges(const TLayout & layout, const Window & window, const typename TLayout::Set & domain) const;
+
+  template <typename TLayout>
   Result
   Flood(const TLayout & layout, const Window & window, const typename TLayout::Set & domain) const;
 

@@ -24,6 +24,10 @@ constexpr std::ptrdiff_t PairsToSeparated = 8;
 /** Share of the threshold to which paths are searched: lengths beyond the threshold decide neighboring pairs. */
 constexpr double LongestSearch = 1.45;
 
+/** Searches go at least so many edges beyond the threshold: neighbors lose some of the length, and short searches cost
+ * little. */
+constexpr double EdgesBeyond = 8.0;
+
 /** Number of the cube of 2^level voxels that the middle of a pair lies in. */
 std::uint64_t
 GroupOf(const MedialVoxelSeparationQuery & query, const unsigned int level)
@@ -176,7 +180,8 @@ MedialVoxelPairSeparation::Search(const MedialVoxelBits &            boundary,
                                   MedialVoxelLengthBounds &          bounds) const
 {
   MedialVoxelCheckAbort();
-  const double         further = LongestSearch * query.epsilon;
+  const double further =
+    std::max(LongestSearch * query.epsilon, query.epsilon + EdgesBeyond * m_Grid.GetShortestEdge());
   const MedialVoxelBox wide =
     MedialVoxelBoundedGeodesic::SearchBoxOf(m_Grid, query.a, query.b, further).Intersection(boundary.GetBox());
   if (wide.Extent(0) <= MedialVoxelPathSearch::LongestRow)
