@@ -3,6 +3,7 @@
 #ifndef itkMedialVoxelSameTopology_h
 #define itkMedialVoxelSameTopology_h
 
+#include "itkMedialVoxelBettiNumbers.h"
 #include "itkMedialVoxelBits.h"
 #include "itkMedialVoxelGrid.h"
 #include "itkMedialVoxelTileResult.h"
@@ -38,9 +39,25 @@ public:
   void
   TakeTile(const MedialVoxelTileResult & tile);
 
+  /** Add the next slice as a whole instead of its tiles, as MedialVoxelTileResult::WriteTopologyCells() writes it. */
+  void
+  AddSlice(const std::uint16_t * cells);
+
   /** Cells that the consumer got. */
   std::uint64_t
   GetNumberOfAddedCells() const;
+
+  /** Memory of the slices that wait for others. */
+  std::uint64_t
+  GetHeldBytes() const;
+
+  /** Parts, tunnels and cavities of the object, without its closed pores; after the last slice. */
+  MedialVoxelBettiNumbers
+  GetBettiNumbersOfObject() const;
+
+  /** The same of the medial and the added cells: the same numbers. Cells without a level count, too. */
+  MedialVoxelBettiNumbers
+  GetBettiNumbersOfCells() const;
 
 private:
   class Implementation;

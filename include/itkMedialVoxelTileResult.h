@@ -95,6 +95,33 @@ struct MedialVoxelDistanceScale
   bool                         insideIsPositive{ false };
 };
 
+/** \struct MedialVoxelTopologyCell
+ * \brief A cell and the voxel with its index in 16 bits, for the stage that completes the topology.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelTopologyCell
+{
+  std::uint8_t  label;
+  bool          isObject; ///< the voxel
+  std::uint16_t level;    ///< see MedialVoxelCellLevels
+
+  static constexpr unsigned int LabelBits = 2;
+
+  std::uint16_t
+  Pack() const
+  {
+    return static_cast<std::uint16_t>(label | (isObject ? 1u << LabelBits : 0u) | level << (LabelBits + 1));
+  }
+
+  static MedialVoxelTopologyCell
+  Unpack(const std::uint16_t cell)
+  {
+    return { static_cast<std::uint8_t>(cell & ((1u << LabelBits) - 1)),
+             (cell >> LabelBits & 1u) != 0,
+             static_cast<std::uint16_t>(cell >> (LabelBits + 1)) };
+  }
+};
+
 /** \class MedialVoxelTileResult
  * \brief The results of a tile, valid while the tile is being taken. Results that were not requested are null.
  *
@@ -184,6 +211,11 @@ public:
   /** 0 at trivial cells and where no corner is object. */
   void
   WriteImportance(float * first, const MedialVoxelStrides & strides) const;
+
+  /** What MedialVoxelSameTopology needs to know of each cell and the voxel with its index: see MedialVoxelTopologyCell.
+   */
+  void
+  WriteTopologyCells(std::uint16_t * first, const MedialVoxelStrides & strides) const;
 
   /** Signed distances to the nearest boundary voxels, NaN without one. A tile of distances is never empty. */
   void

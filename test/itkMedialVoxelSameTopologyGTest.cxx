@@ -74,6 +74,27 @@ GiveTile(const Scene & scene, const itk::MedialVoxelBox & box, itk::MedialVoxelS
   topology.TakeTile(tile);
 }
 
+/** Counted by slices, and in loops over the whole volume. */
+void
+ExpectBettiNumbers(const itk::MedialVoxelSameTopology & topology,
+                   const Scene &                        scene,
+                   const std::uint64_t                  maximumPoreSize,
+                   Values                               cells)
+{
+  const Values filled = FillInLoops(scene.object, maximumPoreSize);
+  ForEachIndex(cells.GetBox(), [&](const auto & cell) { cells.Set(cell, cells.Get(cell) + scene.medial.Get(cell)); });
+  const auto ofObject = FindBettiNumbersOfVoxels(filled);
+  const auto ofCells = FindBettiNumbers(filled, cells);
+  if (scene.object.GetBox().upper[2] > 1)
+  {
+    EXPECT_TRUE(
+      (topology.GetBettiNumbersOfObject() == itk::MedialVoxelBettiNumbers{ ofObject[0], ofObject[1], ofObject[2] }));
+  }
+  EXPECT_TRUE(
+    (topology.GetBettiNumbersOfCells() == itk::MedialVoxelBettiNumbers{ ofCells[0], ofCells[1], ofCells[2] }));
+  EXPECT_TRUE(topology.GetBettiNumbersOfCells() == topology.GetBettiNumbersOfObject());
+}
+
 /** The cells that threads find who share the tiles. */
 Values
 FindAdded(const Scene &                            scene,
@@ -104,6 +125,7 @@ FindAdded(const Scene &                            scene,
     thread.join();
   }
   EXPECT_EQ(topology.GetNumberOfAddedCells(), number);
+  ExpectBettiNumbers(topology, scene, maximumPoreSize, result);
   return result;
 }
 

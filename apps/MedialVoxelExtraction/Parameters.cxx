@@ -95,12 +95,13 @@ DefineParameters(ModuleOptions & options)
   const OptionTarget target = MakeTarget(options.job, options.program, options);
   AddParameters(*app, target);
   AddCommonParameters(*app, target);
-  app->footer("What follows -- or --ignore_rest is no option. A boolean is given as --resample or --resample=true.\n\n"
-              "Labels: 0 no object, 1 not medial, 2 medial by bound, 3 medial by geodesic search.\n"
-              "Exit status: 0 done, 1 failure, 2 wrong usage, 3 refused, 4 corrupt input, 130 or 143 stopped by a "
-              "signal.\n\n"
-              "Example:\n"
-              "  MedialVoxelExtraction --objectSelection AboveLower --lowerThreshold 72 part.mha medial.mha");
+  app->footer(
+    "What follows -- or --ignore_rest is no option. A boolean is given as --resample or --resample=true.\n\n"
+    "Labels: 0 no object, 1 not medial, 2 medial by bound, 3 medial by geodesic search, 4 added for the topology.\n"
+    "Exit status: 0 done, 1 failure, 2 wrong usage, 3 refused, 4 corrupt input, 130 or 143 stopped by a "
+    "signal.\n\n"
+    "Example:\n"
+    "  MedialVoxelExtraction --objectSelection AboveLower --lowerThreshold 72 part.mha medial.mha");
   return app;
 }
 

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelSameTopology.h"
 
+#include "itkMedialVoxelCellComplex.h"
 #include "itkMedialVoxelClosedPores.h"
 #include "itkMedialVoxelParameters.h"
 #include "itkMedialVoxelThinning.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <deque>
 #include <map>
 #include <mutex>
@@ -22,22 +24,26 @@ public:
   using LevelType = MedialVoxelThinning::LevelType;
 
   Implementation(const MedialVoxelGrid & grid, const std::uint64_t maximumPoreSize, Consumer consumer)
-    : m_Image(grid.GetVoxelBox())
+    : m_Grid(grid)
+    , m_Image(grid.GetVoxelBox())
+    , m_Consumer(std::move(consumer))
     , m_Pores(grid, maximumPoreSize)
-    , m_Thinning(grid,
-                 [this, consumer = std::move(consumer)](std::int64_t, const auto &, const MedialVoxelBits & added) {
-                   m_NumberOfAddedCells += added.Count(added.GetBox());
-                   consumer(added);
-                 })
+    , m_Thinning(
+        grid,
+        [this](std::int64_t, const MedialVoxelBits & kept, const MedialVoxelBits & added) { this->Take(kept, added); })
+    , m_Object(grid)
+    , m_Cells(grid)
   {}
 
   void
   TakeTile(const MedialVoxelTileResult & tile)
   {
+    std::vector<std::uint16_t> cells(static_cast<std::size_t>(tile.box.NumberOfVoxels()));
+    tile.WriteTopologyCells(cells.data(), { 1, tile.box.Extent(0), tile.box.Extent(0) * tile.box.Extent(1) });
     std::unique_lock<std::mutex> lock(m_Mutex);
     for (std::int64_t z = tile.box.lower[2]; z < tile.box.upper[2]; ++z)
     {
-      this->AddPart(tile, z);
+      this->AddPart(tile.box, cells, z);
     }
     if (std::exchange(m_IsThinning, true))
     {
@@ -45,14 +51,50 @@ public:
     }
     for (auto first = m_Slices.begin(); first != m_Slices.end() && this->IsComplete(*first); first = m_Slices.begin())
     {
-      Slice slice = std::move(first->second);
+      const Slice slice = std::move(first->second);
       m_Slices.erase(first);
-      ++m_NumberOfSlices;
+      ++m_NumberComplete;
       lock.unlock();
-      this->AddSlice(std::move(slice));
+      this->AddSlice(slice.cells.data());
       lock.lock();
     }
     m_IsThinning = false;
+  }
+
+  void
+  AddSlice(const std::uint16_t * const cells)
+  {
+    const MedialVoxelBox box = m_Thinning.GetSliceBox(m_NumberOfSlices++);
+    MedialVoxelBits      object(box);
+    Waiting              waiting{ MedialVoxelBits(box), std::vector<LevelType>(this->GetVoxelsPerSlice()) };
+    for (std::int64_t y = 0; y < box.upper[1]; ++y)
+    {
+      MedialVoxelBits::WordType * const ofObject = object.GetRow(y, box.lower[2]);
+      MedialVoxelBits::WordType * const ofMedial = waiting.medial.GetRow(y, box.lower[2]);
+      for (std::int64_t x = 0; x < box.upper[0]; ++x)
+      {
+        const auto at = static_cast<std::size_t>(y * box.upper[0] + x);
+        const auto cell = MedialVoxelTopologyCell::Unpack(cells[at]);
+        const auto bit = MedialVoxelBits::WordType{ 1 } << (x % MedialVoxelBits::BitsPerWord);
+        ofObject[x / MedialVoxelBits::BitsPerWord] |= cell.isObject ? bit : 0;
+        ofMedial[x / MedialVoxelBits::BitsPerWord] |= cell.label >= MedialVoxelLabel::MedialByBound ? bit : 0;
+        waiting.levels[at] = cell.level;
+      }
+    }
+    m_Waiting.push_back(std::move(waiting));
+    m_Pores.AddSlice(std::move(object));
+    while (m_Pores.HasSlice())
+    {
+      waiting = std::move(m_Waiting.front());
+      m_Waiting.pop_front();
+      MedialVoxelBits filled = m_Pores.TakeSlice();
+      this->CountObject(filled);
+      m_Thinning.AddSlice(std::move(filled), std::move(waiting.medial), std::move(waiting.levels));
+    }
+    if (m_NumberOfSlices == m_Image.upper[2])
+    {
+      this->CountLast();
+    }
   }
 
   std::uint64_t
@@ -61,99 +103,121 @@ public:
     return m_NumberOfAddedCells;
   }
 
+  std::uint64_t
+  GetHeldBytes() const
+  {
+    const std::uint64_t ofBits = MedialVoxelBits::GetBytes(m_Thinning.GetSliceBox(0));
+    return m_Thinning.GetHeldBytes() + m_Objects.size() * ofBits +
+           m_Waiting.size() * (2 * ofBits + this->GetVoxelsPerSlice() * sizeof(LevelType));
+  }
+
+  MedialVoxelBettiNumbers
+  GetBettiNumbersOfObject() const
+  {
+    return m_Object.GetBettiNumbers();
+  }
+
+  MedialVoxelBettiNumbers
+  GetBettiNumbersOfCells() const
+  {
+    return m_Cells.GetBettiNumbers();
+  }
+
 private:
+  /** A slice of which tiles are missing, or that comes after one. */
   struct Slice
   {
-    MedialVoxelBits        object;
+    std::vector<std::uint16_t> cells;
+    std::size_t                missing;
+  };
+
+  /** A slice whose pores are not known. */
+  struct Waiting
+  {
     MedialVoxelBits        medial;
     std::vector<LevelType> levels;
-    std::int64_t           missingVoxels;
   };
+
+  std::size_t
+  GetVoxelsPerSlice() const
+  {
+    return static_cast<std::size_t>(m_Image.upper[0] * m_Image.upper[1]);
+  }
 
   bool
   IsComplete(const std::pair<const std::int64_t, Slice> & slice) const
   {
-    return slice.first == m_NumberOfSlices && slice.second.missingVoxels == 0;
-  }
-
-  Slice
-  MakeSlice(const std::int64_t z) const
-  {
-    MedialVoxelBox box = m_Image;
-    box.lower[2] = z;
-    box.upper[2] = z + 1;
-    return { MedialVoxelBits(box),
-             MedialVoxelBits(box),
-             std::vector<LevelType>(static_cast<std::size_t>(box.NumberOfVoxels())),
-             box.NumberOfVoxels() };
+    return slice.first == m_NumberComplete && slice.second.missing == 0;
   }
 
   void
-  AddPart(const MedialVoxelTileResult & tile, const std::int64_t z)
+  AddPart(const MedialVoxelBox & tile, const std::vector<std::uint16_t> & cells, const std::int64_t z)
   {
-    auto found = m_Slices.find(z);
-    if (found == m_Slices.end())
+    const std::size_t all = this->GetVoxelsPerSlice();
+    Slice &           slice = m_Slices.try_emplace(z, Slice{ {}, all }).first->second;
+    slice.cells.resize(all);
+    slice.missing -= static_cast<std::size_t>(tile.Extent(0) * tile.Extent(1));
+    for (std::int64_t y = tile.lower[1]; y < tile.upper[1]; ++y)
     {
-      found = m_Slices.emplace(z, this->MakeSlice(z)).first;
-    }
-    Slice & slice = found->second;
-    slice.missingVoxels -= tile.box.Extent(0) * tile.box.Extent(1);
-    for (std::int64_t y = tile.box.lower[1]; y < tile.box.upper[1] && !tile.isEmpty; ++y)
-    {
-      AddRow(tile, y, z, slice);
+      std::copy_n(cells.begin() + static_cast<std::ptrdiff_t>(tile.OffsetOf({ { tile.lower[0], y, z } })),
+                  tile.Extent(0),
+                  slice.cells.begin() + y * m_Image.upper[0] + tile.lower[0]);
     }
   }
 
-  static void
-  AddRow(const MedialVoxelTileResult & tile, const std::int64_t y, const std::int64_t z, Slice & slice)
+  /** Count its cells when the slice after it is known. */
+  void
+  CountObject(const MedialVoxelBits & filled)
   {
-    const MedialVoxelBox & box = tile.box;
-    const std::size_t      first = box.OffsetOf({ { box.lower[0], y, z } });
-    const auto             length = static_cast<std::size_t>(box.Extent(0));
-    const auto             x = static_cast<std::size_t>(box.lower[0]);
-    const auto             row = static_cast<std::size_t>(y * slice.object.GetBox().Extent(0));
-    std::copy_n(tile.levels->data() + first, length, slice.levels.data() + row + x);
-    for (std::size_t i = 0; i < length; ++i)
+    m_Objects.push_back(filled);
+    if (m_Objects.size() > 1)
     {
-      if (tile.labels[first + i] >= MedialVoxelLabel::MedialByBound)
-      {
-        slice.medial.GetRow(y, z)[(x + i) / 64] |= MedialVoxelBits::WordType{ 1 } << ((x + i) % 64);
-      }
-    }
-    MedialVoxelBits::WordType * const       target = slice.object.GetRow(y, z);
-    const MedialVoxelBits::WordType * const source = tile.object->GetRow(y, z) - tile.object->GetFirstWord();
-    for (std::int64_t word = box.lower[0] / MedialVoxelBits::BitsPerWord;
-         word * MedialVoxelBits::BitsPerWord < box.upper[0];
-         ++word)
-    {
-      target[word] |= source[word] & MedialVoxelBits::RangeMask(word, box.lower[0], box.upper[0]);
+      const MedialVoxelBits & before = m_Objects[m_Objects.size() - 2];
+      m_Object.AddSlice(before, filled, MedialVoxelThinning::FindCells(m_Grid, before, filled));
     }
   }
 
   void
-  AddSlice(Slice slice)
+  CountLast()
   {
-    m_Waiting.push_back({ std::move(slice.medial), std::move(slice.levels) });
-    m_Pores.AddSlice(std::move(slice.object));
-    while (m_Pores.HasSlice())
+    const MedialVoxelBits & last = m_Objects.back();
+    const MedialVoxelBits   cells = MedialVoxelThinning::FindCells(m_Grid, last, {});
+    m_Object.AddSlice(last, {}, cells);
+    if (m_Image.upper[2] > 1)
     {
-      auto [medial, levels] = std::move(m_Waiting.front());
-      m_Waiting.pop_front();
-      m_Thinning.AddSlice(m_Pores.TakeSlice(), std::move(medial), std::move(levels));
+      m_Cells.AddSlice(last, {}, cells); // it has none
     }
   }
 
+  void
+  Take(const MedialVoxelBits & kept, const MedialVoxelBits & added)
+  {
+    m_Cells.AddSlice(m_Objects[0], m_Image.upper[2] > 1 ? m_Objects[1] : MedialVoxelBits(), kept);
+    if (m_Objects.size() > 1)
+    {
+      m_Objects.pop_front();
+    }
+    m_NumberOfAddedCells += added.Count(added.GetBox());
+    m_Consumer(added);
+  }
+
+  MedialVoxelGrid               m_Grid;
   MedialVoxelBox                m_Image;
+  Consumer                      m_Consumer;
   std::mutex                    m_Mutex;
-  std::map<std::int64_t, Slice> m_Slices;              ///< that tiles are missing of, or that come after them
-  std::int64_t                  m_NumberOfSlices{ 0 }; ///< that went on
+  std::map<std::int64_t, Slice> m_Slices;
+  std::int64_t                  m_NumberComplete{ 0 }; ///< slices that left them
   bool                          m_IsThinning{ false };
 
   // Used by the thread that thins.
-  MedialVoxelClosedPores                                         m_Pores;
-  std::deque<std::pair<MedialVoxelBits, std::vector<LevelType>>> m_Waiting; ///< for the pores
-  MedialVoxelThinning                                            m_Thinning;
-  std::uint64_t                                                  m_NumberOfAddedCells{ 0 };
+  std::int64_t                m_NumberOfSlices{ 0 };
+  MedialVoxelClosedPores      m_Pores;
+  std::deque<Waiting>         m_Waiting;
+  MedialVoxelThinning         m_Thinning;
+  std::deque<MedialVoxelBits> m_Objects; ///< filled, from the first slice that is not thinned
+  MedialVoxelCellComplex      m_Object;
+  MedialVoxelCellComplex      m_Cells;
+  std::uint64_t               m_NumberOfAddedCells{ 0 };
 };
 
 MedialVoxelSameTopology::MedialVoxelSameTopology(const MedialVoxelGrid & grid,
@@ -170,10 +234,34 @@ MedialVoxelSameTopology::TakeTile(const MedialVoxelTileResult & tile)
   m_Implementation->TakeTile(tile);
 }
 
+void
+MedialVoxelSameTopology::AddSlice(const std::uint16_t * const cells)
+{
+  m_Implementation->AddSlice(cells);
+}
+
 std::uint64_t
 MedialVoxelSameTopology::GetNumberOfAddedCells() const
 {
   return m_Implementation->GetNumberOfAddedCells();
+}
+
+std::uint64_t
+MedialVoxelSameTopology::GetHeldBytes() const
+{
+  return m_Implementation->GetHeldBytes();
+}
+
+MedialVoxelBettiNumbers
+MedialVoxelSameTopology::GetBettiNumbersOfObject() const
+{
+  return m_Implementation->GetBettiNumbersOfObject();
+}
+
+MedialVoxelBettiNumbers
+MedialVoxelSameTopology::GetBettiNumbersOfCells() const
+{
+  return m_Implementation->GetBettiNumbersOfCells();
 }
 
 } // end namespace itk

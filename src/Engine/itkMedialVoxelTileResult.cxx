@@ -75,6 +75,21 @@ MedialVoxelTileResult::WriteImportance(float * const first, const MedialVoxelStr
   this->WriteValues(importance, first, strides);
 }
 
+void
+MedialVoxelTileResult::WriteTopologyCells(std::uint16_t * const first, const MedialVoxelStrides & strides) const
+{
+  std::size_t source = 0;
+  MedialVoxelForEachRow(box, strides, [&](const std::int64_t offset, const MedialVoxelBox & row) {
+    std::uint16_t * const target = first + offset;
+    std::fill_n(target, row.Extent(0), std::uint16_t{ 0 });
+    for (std::int64_t i = 0; i < row.Extent(0) && !isEmpty; ++i, ++source)
+    {
+      const bool isObject = object->Test({ { row.lower[0] + i, row.lower[1], row.lower[2] } });
+      target[i] = MedialVoxelTopologyCell{ labels[source], isObject, (*levels)[source] }.Pack();
+    }
+  });
+}
+
 /** The values of all voxels of the tile, 0 in an empty one. */
 void
 MedialVoxelTileResult::WriteValues(const std::vector<float> * const values,

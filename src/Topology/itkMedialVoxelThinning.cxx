@@ -29,7 +29,8 @@ ParityOf(const std::int64_t turn)
 } // namespace
 
 MedialVoxelThinning::MedialVoxelThinning(const MedialVoxelGrid & grid, Consumer consumer)
-  : m_Image(grid.GetVoxelBox())
+  : m_Grid(grid)
+  , m_Image(grid.GetVoxelBox())
   , m_Cells(grid.GetCellBox())
   , m_Consumer(std::move(consumer))
 {}
@@ -46,7 +47,10 @@ MedialVoxelThinning::GetSliceBox(const std::int64_t slice) const
 void
 MedialVoxelThinning::AddSlice(MedialVoxelBits object, MedialVoxelBits medial, std::vector<LevelType> levels)
 {
-  m_Slices.push_back({ std::move(object), std::move(medial), std::move(levels), {}, {}, NotBegun, true });
+  // Its bits of three kinds, and its levels until its cells have them.
+  const std::uint64_t bytes = 3 * object.GetReservedBytes() + levels.size() * sizeof(LevelType);
+  m_HeldBytes += bytes;
+  m_Slices.push_back({ std::move(object), std::move(medial), std::move(levels), {}, {}, NotBegun, true, bytes });
   const std::int64_t slice = m_NumberOfSlices++;
   // The corners of a cell are in two slices, if the image has them.
   const std::int64_t ready = slice - (m_Image.Extent(2) > 1 ? 1 : 0);
@@ -61,37 +65,41 @@ MedialVoxelThinning::AddSlice(MedialVoxelBits object, MedialVoxelBits medial, st
 void
 MedialVoxelThinning::Begin(const std::int64_t slice)
 {
-  this->FindCells(slice);
+  const bool hasNext = slice + 1 < m_NumberOfSlices;
+  this->At(slice).cells =
+    FindCells(m_Grid, this->At(slice).object, hasNext ? this->At(slice + 1).object : MedialVoxelBits());
   this->SortCells(slice);
   this->At(slice).turn = this->FindTurn(slice, 0);
 }
 
-/** Those with an object corner. */
-void
-MedialVoxelThinning::FindCells(const std::int64_t slice)
+MedialVoxelBits
+MedialVoxelThinning::FindCells(const MedialVoxelGrid & grid,
+                               const MedialVoxelBits & object,
+                               const MedialVoxelBits & next)
 {
-  Slice & own = this->At(slice);
-  own.cells.Reshape(this->GetSliceBox(slice));
-  for (std::int64_t y = 0; y < m_Cells.upper[1]; ++y)
+  const MedialVoxelBox cells = grid.GetCellBox();
+  const std::int64_t   slice = object.GetBox().lower[2];
+  MedialVoxelBits      found(object.GetBox());
+  for (std::int64_t y = 0; y < cells.upper[1] && slice < cells.upper[2]; ++y)
   {
-    MedialVoxelBits::WordType * const target = own.cells.GetRow(y, slice);
-    for (std::int64_t z = slice; z < std::min(slice + 2, m_Image.upper[2]); ++z)
+    MedialVoxelBits::WordType * const target = found.GetRow(y, slice);
+    for (std::int64_t corner = 0; corner < 4; ++corner)
     {
-      const MedialVoxelBits & object = this->At(z).object;
-      for (std::int64_t rowY = y; rowY < std::min(y + 2, m_Image.upper[1]); ++rowY)
+      const MedialVoxelBits & voxels = corner < 2 ? object : next;
+      const std::int64_t      cornerY = y + corner % 2;
+      const std::int64_t      cornerZ = slice + corner / 2;
+      for (std::int64_t word = 0; voxels.HasRow(cornerY, cornerZ) && word < found.GetWordsPerRow(); ++word)
       {
-        const MedialVoxelBits::WordType * const row = object.GetRow(rowY, z);
-        for (std::int64_t word = 0; word < object.GetWordsPerRow(); ++word)
-        {
-          target[word] |= row[word] | (row[word] >> 1) | (row[word + 1] << 63);
-        }
+        const MedialVoxelBits::WordType * const row = voxels.GetRow(cornerY, cornerZ) + word;
+        target[word] |= row[0] | (row[0] >> 1) | (row[1] << 63);
       }
     }
-    for (std::int64_t word = 0; word < own.cells.GetWordsPerRow(); ++word)
+    for (std::int64_t word = 0; word < found.GetWordsPerRow(); ++word)
     {
-      target[word] &= MedialVoxelBits::RangeMask(word, 0, m_Cells.upper[0]);
+      target[word] &= MedialVoxelBits::RangeMask(word, 0, cells.upper[0]);
     }
   }
+  return found;
 }
 
 /** Put the cells that may be deleted into classes, by level. */
@@ -127,6 +135,14 @@ MedialVoxelThinning::SortCells(const std::int64_t slice)
       cells.waiting.begin(), cells.waiting.end(), [](const Cell & a, const Cell & b) { return a.level > b.level; });
   }
   own.levels = {};
+  const std::uint64_t before = own.bytes;
+  own.bytes = 3 * own.object.GetReservedBytes();
+  for (Class & cells : own.classes)
+  {
+    cells.waiting.shrink_to_fit();
+    own.bytes += 3 * cells.waiting.capacity() * sizeof(Cell); // those that become active, too, in memory that doubles
+  }
+  m_HeldBytes += own.bytes - before;
 }
 
 /** The first turn from \a turn on in which the slice has work. */
@@ -273,6 +289,7 @@ MedialVoxelThinning::HandOver()
   }
   while (m_FirstSlice < m_NumberHandedOver && (isDone(m_FirstSlice + 1) || m_NumberHandedOver == m_Cells.upper[2]))
   {
+    m_HeldBytes -= m_Slices.front().bytes;
     m_Slices.pop_front();
     ++m_FirstSlice;
   }

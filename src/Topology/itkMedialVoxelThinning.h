@@ -35,11 +35,12 @@ namespace itk
 class MedialVoxel_EXPORT MedialVoxelThinning
 {
 public:
-  /** Of a cell: the distance of its nearest corner to the boundary in smallest spacings, rounded down. */
+  /** Of a cell: the distance of its nearest corner to the boundary in smallest spacings, rounded down; at most
+   * NoLevel - 1. */
   using LevelType = std::uint16_t;
 
   /** Of cells without a boundary in the image, which stay and are not added. */
-  static constexpr LevelType NoLevel = std::numeric_limits<LevelType>::max();
+  static constexpr LevelType NoLevel = (1u << 13) - 1;
 
   /** Number of times that a cell can be deleted. */
   static constexpr std::int64_t NumberOfChances = 8;
@@ -69,6 +70,18 @@ public:
   {
     return m_Slices.size();
   }
+
+  /** Memory of these slices. */
+  std::uint64_t
+  GetHeldBytes() const
+  {
+    return m_HeldBytes;
+  }
+
+  /** The cells of a slice that have an object corner.
+   * \param next  object voxels of the slice after it; none after the last one */
+  static MedialVoxelBits
+  FindCells(const MedialVoxelGrid & grid, const MedialVoxelBits & object, const MedialVoxelBits & next);
 
 private:
   struct Cell
@@ -100,6 +113,7 @@ private:
     std::array<Class, 4>   classes;
     std::int64_t           turn; ///< the next one with work
     bool                   hasLevels;
+    std::uint64_t          bytes; ///< that it holds
   };
 
   static constexpr std::int64_t NotBegun = -1;
@@ -113,9 +127,6 @@ private:
 
   void
   Begin(std::int64_t slice);
-
-  void
-  FindCells(std::int64_t slice);
 
   void
   SortCells(std::int64_t slice);
@@ -138,6 +149,7 @@ private:
   void
   HandOver();
 
+  MedialVoxelGrid   m_Grid;
   MedialVoxelBox    m_Image;
   MedialVoxelBox    m_Cells;
   Consumer          m_Consumer;
@@ -146,6 +158,7 @@ private:
   std::int64_t      m_FirstSlice{ 0 };     ///< that is held
   std::int64_t      m_NumberOfSlices{ 0 }; ///< that are known
   std::int64_t      m_NumberHandedOver{ 0 };
+  std::uint64_t     m_HeldBytes{ 0 };
 };
 
 } // end namespace itk

@@ -14,6 +14,7 @@ LABELS = (
     ("not_medial", 95, 95, 100, 255),
     ("medial_by_bound", 255, 255, 255, 255),
     ("medial_by_geodesic", 255, 45, 35, 255),
+    ("added_for_topology", 255, 200, 40, 255),
 )
 LABELS_NAME = "Medial voxels"
 

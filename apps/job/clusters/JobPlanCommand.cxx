@@ -43,6 +43,10 @@ RefuseUnsupported(const ExtractOptions & options)
       refuse(kind.refusal->what, kind.refusal->remedy);
     }
   }
+  if (options.sameTopology)
+  {
+    refuse("the same topology, which joins what lies in all clusters,", "run medialvoxel extract without --resume");
+  }
   if (options.labels)
   {
     refuse("labels of several objects", "run medialvoxel extract without --resume, or a job for each --label");

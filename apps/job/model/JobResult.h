@@ -32,6 +32,7 @@ struct JobSeconds
   double tiles{ 0.0 }; ///< while threads worked on tiles
   double inputOutput{ 0.0 };
   double remeshing{ 0.0 }; ///< of the medial surface
+  double topology{ 0.0 };  ///< to add cells for it
   double total{ 0.0 };
 };
 
@@ -51,6 +52,7 @@ struct JobResult
   Json                                       objects;     ///< of a label map, with the passes it took; null: it is none
   SegmentTable                               segments;    ///< names of its labels; empty: there are none
   std::optional<SheetSummary>                surface;     ///< when a mesh was asked for
+  Json                                       topology;    ///< of the object and the labels, when that was asked for
   Json                                       part;        ///< its surface, when that was asked for
   std::vector<Warning>                       warnings;
   JobSeconds                                 seconds;

@@ -147,6 +147,8 @@ struct ExtractOptions : JobOptions
   std::string                   objectFile; ///< label of the object of each cell, of the type of the input
   std::string segmentFile; ///< names and colors of the labels; empty: from the input, where it has some
 
+  bool sameTopology{ false }; ///< add cells to the labels, so that they have the topology of the object
+
   std::string                vectorFile; ///< vectors to the nearest boundary point, float32
   itk::MedialVoxelBoundary   vectorBoundary{ itk::MedialVoxelBoundary::Object };
   std::string                thicknessFile;      ///< thickness at medial cells, float32

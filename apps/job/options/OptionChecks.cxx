@@ -84,6 +84,7 @@ CheckLabelOptions(const ExtractOptions & options)
     { "vectors", !options.vectorFile.empty(), oneObject },
     { "distances", !options.distanceFile.empty(), oneObject },
     { "an importance", !options.importanceFile.empty(), oneObject },
+    { "the same topology", options.sameTopology, oneObject },
     { "a local thickness", !options.localThicknessFile.empty(), oneObject },
     { "thin or thick places", ListsPlaces(options), oneObject },
   };
@@ -183,6 +184,10 @@ CheckOptions(const ExtractOptions & options)
 {
   CheckRanges(options);
   CheckJobOptions(options);
+  if (options.sameTopology && options.output.empty())
+  {
+    Fail(ExitStatus::Usage, "the same topology is one of labels; give OUTPUT for them");
+  }
   if (options.largestBall && options.localThicknessFile.empty())
   {
     Fail(ExitStatus::Usage, "the largest ball needs a local thickness; none is asked for");

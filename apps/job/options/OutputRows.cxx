@@ -55,7 +55,7 @@ AddArguments(std::vector<OptionRow> & rows)
         "outputVolume",
         "Medial voxels",
         "Labels of the cells between the voxels: 0 no object, 1 not medial, 2 medial by bound, 3 medial by geodesic "
-        "search. Its origin is half a voxel from that of the input",
+        "search, 4 added for the topology. Its origin is half a voxel from that of the input",
         SlicerOutput("label"),
         "output" });
   AddRow(rows, "VECTORS", "FILE", File(&DistanceOptions::output))

@@ -150,6 +150,30 @@ AddNoise(std::vector<OptionRow> & rows)
           { { "Automatic", std::nullopt }, { "On", Smoothing::On }, { "Off", Smoothing::Off } }) });
 }
 
+bool
+HasLabels(const ExtractOptions & options)
+{
+  return !options.output.empty();
+}
+
+void
+AddTopology(std::vector<OptionRow> & rows)
+{
+  AddRow(rows, "--same-topology", "", Flag(&ExtractOptions::sameTopology))
+    .Of(Extractions, "Method")
+    .RefusedIn(Plan)
+    .Hidden()
+    .Help("Add cells, so that the sheet has the object's topology",
+          "They have the label 4. The labels 2, 3 and 4 together have as many parts, tunnels and cavities as the "
+          "object; labels 2 and 3 stay. Takes 2 bytes of scratch space for each voxel. Not with --labels.")
+    .Needs("OUTPUT", HasLabels)
+    .Slicer({ "Object",
+              "sameTopology",
+              "Same topology",
+              "Add cells with the label 4, so that the labels 2, 3 and 4 together have as many parts, tunnels and "
+              "cavities as the object" });
+}
+
 void
 AddDistances(std::vector<OptionRow> & rows)
 {
@@ -177,6 +201,7 @@ AddSheetRows(std::vector<OptionRow> & rows)
 {
   AddThickness(rows);
   AddNoise(rows);
+  AddTopology(rows);
   AddDistances(rows);
 }
 

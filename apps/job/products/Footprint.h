@@ -63,7 +63,8 @@ struct Footprint
     surplus.mostOfSlice += product.surplus.mostOfSlice;
     surplus.shareOfRest = std::min(surplus.shareOfRest, product.surplus.shareOfRest);
     surplusTakers += product.surplus.most > 0 ? 1 : 0;
-    scratch = product.scratch.bytes > 0 ? product.scratch : scratch;
+    scratch.folder = product.scratch.bytes > 0 ? product.scratch.folder : scratch.folder;
+    scratch.bytes += product.scratch.bytes;
   }
 
   /** Bytes of results for each voxel of a piece: one engine after the other gives its own. */

@@ -11,8 +11,13 @@ namespace medialvoxel
 VoxelOutput &
 OutputSet::AddVolume(const VolumeRequest & request)
 {
+  JobOptions options = m_Options;
+  if (!request.isPublished)
+  {
+    options.compression = Compression::Default; // it is read in any order
+  }
   VoxelOutput & volume =
-    this->TakeVolume(request.role, MakeVoxelOutput(request.fileName, m_Options), request.isPublished);
+    this->TakeVolume(request.role, MakeVoxelOutput(request.fileName, options), request.isPublished);
   volume.Create(request.geometry, request.layout);
   if (m_WritesBehind)
   {

@@ -36,7 +36,7 @@ struct ProductStart
 /** The context in which products are completed. */
 struct ProductEnd
 {
-  const OutputSet &           outputs;  ///< whose volumes are finished
+  const OutputSet &           outputs;  ///< whose volumes are finished, but for those that are filled now
   InputVolume *               input;    ///< as at the start
   std::function<void(double)> progress; ///< of the end alone; may throw to stop
 };
@@ -81,7 +81,7 @@ public:
   {}
 
   /** Creates its file, after the start. */
-  void
+  virtual void
   MakeFile(OutputSet & outputs)
   {
     if (m_Links.request != nullptr && m_Links.volume == nullptr)
@@ -106,6 +106,11 @@ public:
   /** Hears the region of each run of the extraction. */
   virtual void
   BeginRegion(const itk::MedialVoxelBox &)
+  {}
+
+  /** Fills volumes that need all pieces, before the volumes are finished. */
+  virtual void
+  FillVolumes(JobResult &, const ProductEnd &)
   {}
 
   /** Makes the outputs that need all pieces, when the volumes are finished. */

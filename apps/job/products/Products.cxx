@@ -6,6 +6,7 @@
 #include "Outputs.h"
 #include "Report.h"
 #include "ResultViews.h"
+#include "TopologyProduct.h"
 #include "VolumeFormats.h"
 #include "Warnings.h"
 
@@ -149,6 +150,10 @@ ProductList
 MakeProducts(const ExtractOptions & options, const VolumeHeader & header)
 {
   ProductList products = MakeVolumes(options, header);
+  if (options.sameTopology)
+  {
+    products.front() = std::make_unique<TopologyProduct>(options, ListVolumes(options, header).front());
+  }
   if (options.output.empty() && PictureRow.IsWanted(options))
   {
     products.push_back(MakeDrawnLabels(options, header));

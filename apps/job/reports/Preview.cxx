@@ -16,11 +16,13 @@ namespace
 
 constexpr Color ObjectColor{ 95, 95, 100 };
 constexpr Color MedialColor{ 255, 45, 35 };
+constexpr Color AddedColor{ 255, 200, 40 };
 
 Color
 GetColor(std::uint8_t label)
 {
-  return label >= itk::MedialVoxelLabel::MedialByBound
+  return label == itk::MedialVoxelLabel::AddedForTopology ? AddedColor
+         : label >= itk::MedialVoxelLabel::MedialByBound
            ? MedialColor
            : (label == itk::MedialVoxelLabel::NoObject ? PreviewBackgroundColor : ObjectColor);
 }

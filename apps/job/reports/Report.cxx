@@ -134,6 +134,10 @@ AddRun(Json & report, const JobResult & result)
   {
     report["seconds"]["remeshing"] = result.seconds.remeshing;
   }
+  if (!result.topology.is_null())
+  {
+    report["seconds"]["topology"] = result.seconds.topology;
+  }
   report["peak_memory_bytes"] = result.peakMemory;
   report["planned_peak_bytes"] = result.plan.memory.planned;
   report["memory_limit_bytes"] = result.plan.memory.limit;
@@ -259,6 +263,7 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   }
   parameters["max_pore_size"] = GetParameters(options, GetGrid(result.input)).maximumPoreSize;
   parameters["smooth"] = GetName(GetRequestedSmoothing(options));
+  parameters["same_topology"] = options.sameTopology;
   parameters["sub_voxel"] = options.subVoxel ? Json(*options.subVoxel) : Json(nullptr);
   parameters["materials"] =
     options.materials ? Json{ options.materials->background, options.materials->material } : Json(nullptr);
@@ -285,6 +290,10 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   if (!options.localThicknessFile.empty())
   {
     report["local_thickness"] = MakeLocalThickness(options, result);
+  }
+  if (!result.topology.is_null())
+  {
+    report["topology"] = result.topology;
   }
   if (!result.objects.is_null())
   {

@@ -120,6 +120,11 @@ ListViewRows()
     { LongTable, "", "  medial by geodesic", OfCells("geodesic_medial") },
     { LongTable, "", "  non-medial by geodesic", OfCells("geodesic_non_medial") },
     { LongTable, "", "medial cells", "{counts.medial_cells}" },
+    { ExtractTable,
+      "topology",
+      "topology",
+      "{topology.added_cells} cells added; parts {topology.object.parts}, tunnels {topology.object.tunnels}, cavities "
+      "{topology.object.cavities}" },
     { LongTable, "", "pseudo", "[percent.pseudo?{fixed percent.pseudo} %][!percent.pseudo?-]" },
     { LongTable, "", "correct", "[percent.correct?{fixed percent.correct} %][!percent.correct?-]" },
     { SlicerLines, "", "candidateCells", "{counts.candidate_cells}" },

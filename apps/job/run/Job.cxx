@@ -158,6 +158,7 @@ ListTasks(const ExtractOptions & options, const VolumeHeader & header)
   itk::MedialVoxelSheetExtraction extraction;
   extraction.parameters = GetParameters(options, grid);
   extraction.measuresThickness = MeasuresWalls(options);
+  extraction.findsLevels = options.sameTopology;
   extraction.findsImportance = !options.importanceFile.empty();
   extraction.grayRange = range;
   if (!options.vectorFile.empty())
@@ -374,9 +375,8 @@ void
 Job::Finish(OutputSet & outputs, ProgressSink & sink, const JobEnd & end)
 {
   const std::size_t told = result.warnings.size();
-  outputs.FinishVolumes();
-  double           done = 0.0;
-  const ProductEnd complete{ outputs, end.input, [&, share = this->GetShareOfEnd()](const double fraction) {
+  double            done = 0.0;
+  const ProductEnd  complete{ outputs, end.input, [&, share = this->GetShareOfEnd()](const double fraction) {
                               ThrowIfStopRequested(sink);
                               if (share > 0.0 && fraction > done)
                               {
@@ -384,6 +384,11 @@ Job::Finish(OutputSet & outputs, ProgressSink & sink, const JobEnd & end)
                                 sink.Report(1.0 - share + share * done);
                               }
                             } };
+  for (const auto & product : products)
+  {
+    product->FillVolumes(result, complete);
+  }
+  outputs.FinishVolumes();
   for (const auto & product : products)
   {
     product->Complete(result, complete);
