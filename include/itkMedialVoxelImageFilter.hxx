@@ -226,21 +226,8 @@ template <typename TInputImage, typename TOutputImage>
 void
 MedialVoxelImageFilter<TInputImage, TOutputImage>::LabelAddedCells(const MedialVoxelBits & added)
 {
-  TOutputImage &       labels = *this->GetOutput();
-  const MedialVoxelBox box = added.GetBox();
-  const std::int64_t   z = box.lower[2];
-  OutputPixelType *    row = this->FirstPixelOf(labels, box);
-  for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y, row += this->StridesOf(labels)[1])
-  {
-    for (std::int64_t word = 0; word < added.GetWordsPerRow(); ++word)
-    {
-      for (auto bits = added.GetRow(y, z)[word]; bits != 0; bits &= bits - 1)
-      {
-        row[word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(bits)] =
-          static_cast<OutputPixelType>(MedialVoxelLabel::AddedForTopology);
-      }
-    }
-  }
+  TOutputImage & labels = *this->GetOutput();
+  MedialVoxelSameTopology::Label(added, this->FirstPixelOf(labels, added.GetBox()), this->StridesOf(labels));
 }
 
 template <typename TInputImage, typename TOutputImage>

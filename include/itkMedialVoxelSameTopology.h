@@ -6,6 +6,7 @@
 #include "itkMedialVoxelBettiNumbers.h"
 #include "itkMedialVoxelBits.h"
 #include "itkMedialVoxelGrid.h"
+#include "itkMedialVoxelParameters.h"
 #include "itkMedialVoxelTileResult.h"
 
 #include "MedialVoxelExport.h"
@@ -34,6 +35,25 @@ public:
   /** \param maximumPoreSize of the extraction */
   MedialVoxelSameTopology(const MedialVoxelGrid & grid, std::uint64_t maximumPoreSize, Consumer consumer);
   ~MedialVoxelSameTopology();
+
+  /** Give the label AddedForTopology to the added cells of a slice, which begins at \a first. */
+  template <typename TLabel>
+  static void
+  Label(const MedialVoxelBits & added, TLabel * const first, const MedialVoxelStrides & strides)
+  {
+    const MedialVoxelBox & box = added.GetBox();
+    for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
+    {
+      for (std::int64_t word = 0; word < added.GetWordsPerRow(); ++word)
+      {
+        for (auto bits = added.GetRow(y, box.lower[2])[word]; bits != 0; bits &= bits - 1)
+        {
+          const std::int64_t x = word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(bits);
+          first[x + y * strides[1]] = static_cast<TLabel>(MedialVoxelLabel::AddedForTopology);
+        }
+      }
+    }
+  }
 
   /** Called by several workers at a time; one of them finds the cells of the slices that are complete. */
   void

@@ -98,6 +98,7 @@ def extract(
     thickness_map: bool = True,
     uncertainty: bool = False,
     importance: bool = False,
+    same_topology: bool = False,
     vectors: bool = False,
     vector_boundary: Literal["object", "background"] = "object",
     sub_voxel: bool | None = None,
@@ -143,6 +144,7 @@ def extract(
         "thickness_map": "thickness.mha" if thickness_map else None,
         "uncertainty_map": "uncertainty.mha" if uncertainty else None,
         "importance": "importance.mha" if importance else None,
+        "same_topology": read_flag("same_topology", same_topology) or None,
         "sub_voxel": sub_voxel,
         "materials": materials,
         "vectors": "vectors.mha" if vectors else None,
@@ -155,6 +157,7 @@ def extract(
     return Medial(
         **_part_rims(outputs),
         counts=numbers["counts"],
+        topology=numbers.get("topology"),
         object_counts=numbers.get("objects", []),
         origin=tuple(0.5 * step if size > 1 else 0.0 for size, step in zip(call.shape, call.spacing)),
         spacing=call.spacing,

@@ -47,7 +47,7 @@ class Medial(_Outputs):
     Attributes
     ----------
     labels : NDArray[uint8]
-        0 no object, 1 not medial, 2 medial by the bound, 3 medial by the search.
+        0 no object, 1 not medial, 2 medial by the bound, 3 medial by the search, 4 added for the topology.
     thickness : NDArray[float32]
         Thickness of the wall at medial cells where it was measured, greater than 0; 0 elsewhere, also at `rims`. Not with
         ``thickness_map=False``.
@@ -67,6 +67,9 @@ class Medial(_Outputs):
         The label of the object of each cell, of the type of the array. With ``labels``.
     counts : dict[str, int]
         Numbers of voxels and cells, by their names in the report of the program.
+    topology : dict[str, Any] or None
+        With ``same_topology=True``: `added_cells`, and the numbers of `parts`, `tunnels` and `cavities` of the `object` and of the
+        `sheet`, which is all cells of the labels 2, 3 and 4.
     object_counts : list[dict[str, int]]
         With ``labels``: label, voxels, candidate_cells and medial_cells of each object.
     origin : tuple[float, ...]
@@ -104,6 +107,7 @@ class Medial(_Outputs):
     vectors: NDArray[np.float32]
     objects: NDArray[Any]
     counts: dict[str, int]
+    topology: dict[str, Any] | None
     object_counts: list[dict[str, int]]
     origin: tuple[float, ...]
     spacing: tuple[float, ...]
@@ -115,8 +119,8 @@ class Medial(_Outputs):
 
     @property
     def medial(self) -> NDArray[np.bool_]:
-        """bool: the medial cells."""
-        found: NDArray[np.bool_] = self.labels >= 2
+        """bool: the medial cells, without those that were added."""
+        found: NDArray[np.bool_] = (self.labels == 2) | (self.labels == 3)
         return found
 
     def voxels(self, mask: ArrayLike) -> NDArray[np.bool_]:

@@ -3,6 +3,7 @@
 #include "ArrayEngine.h"
 #include "Errors.h"
 #include "NamedCounts.h"
+#include "TopologyJson.h"
 
 #include "itkMedialVoxelObjectUnion.h"
 
@@ -32,6 +33,7 @@ MakeExtraction(const ArrayEngine & engine, const ArrayCall & call, const Extract
   itk::MedialVoxelSheetExtraction extraction;
   extraction.parameters = GetParameters(options, engine.GetGrid());
   extraction.measuresThickness = call.outputs.thickness != nullptr || call.outputs.uncertainty != nullptr;
+  extraction.findsLevels = options.sameTopology;
   extraction.findsImportance = call.outputs.importance != nullptr;
   if (call.outputs.vectors != nullptr)
   {
@@ -81,9 +83,20 @@ ExtractOne(const ArrayCall & call, ExtractOptions options)
     Fail(ExitStatus::Refused, "array: the uncertainty of the thickness cannot be stated, as ", measure.found.reason);
   }
   extraction.grayRange = measure.range;
-  const auto & strides = engine.GetStrides();
-  const auto   sums = engine.Run(object, extraction, [&](const itk::MedialVoxelTileResult & tile) {
+  const auto &                                strides = engine.GetStrides();
+  std::optional<itk::MedialVoxelSameTopology> topology;
+  if (options.sameTopology)
+  {
+    topology.emplace(engine.GetGrid(), extraction.parameters.maximumPoreSize, [&](const itk::MedialVoxelBits & added) {
+      itk::MedialVoxelSameTopology::Label(added, engine.PlaceOf(outputs.labels, added.GetBox()), strides);
+    });
+  }
+  const auto sums = engine.Run(object, extraction, [&](const itk::MedialVoxelTileResult & tile) {
     tile.WriteLabels(engine.PlaceOf(outputs.labels, tile.box), strides);
+    if (topology)
+    {
+      topology->TakeTile(tile);
+    }
     if (outputs.thickness != nullptr)
     {
       tile.WriteThickness(engine.PlaceOf(outputs.thickness, tile.box), strides);
@@ -101,7 +114,10 @@ ExtractOne(const ArrayCall & call, ExtractOptions options)
       engine.WriteVectors(tile, outputs.vectors);
     }
   });
-  return Describe(sums.counts, object.GetRoughness(), object.IsSmoothed(), measure, extraction.parameters);
+  nlohmann::json numbers =
+    Describe(sums.counts, object.GetRoughness(), object.IsSmoothed(), measure, extraction.parameters);
+  numbers["topology"] = topology ? DescribeTopology(*topology) : Json(nullptr);
+  return numbers;
 }
 
 /** \throw JobError Usage for a label that is a name, or that no value has; CorruptInput where values are no labels */

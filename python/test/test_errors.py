@@ -152,7 +152,7 @@ class Errors(Folder):
         for value, is_on in ((False, False), ("off", False), ("no", False), (0, False), (np.False_, False), ("on", True), (1, True)):
             found = medialvoxel.extract(scene(), lower=40, vectors=value, thickness_map=value)
             self.assertEqual((hasattr(found, "vectors"), hasattr(found, "thickness")), (is_on, is_on), value)
-        for name in ("vectors", "thickness_map", "uncertainty", "importance"):
+        for name in ("vectors", "thickness_map", "uncertainty", "importance", "same_topology"):
             for value in ("maybe", 2, 1.0, [True]):
                 with self.assertRaisesRegex(ValueError, f"{name} is .*; it must be True or False"):
                     medialvoxel.extract(scene(), lower=40, **{name: value})

@@ -129,6 +129,20 @@ class Results(Folder):
             self.assertGreater(np.count_nonzero(sheet.medial), 100)
             np.testing.assert_array_equal(found.importance >= limit, sheet.medial)
 
+    def test_topology_is_that_of_the_program(self):
+        labels, report = self.folder / "labels.mha", self.folder / "report.json"
+        for keywords, options in (({}, []), ({"thickness": 3.0, "max_pore_size": 4}, ["--thickness=3", "--max-pore-size=4"])):
+            self.program("extract", scene(), labels, "--same-topology", "--lower=40", f"--report={report}", *options)
+            found = medialvoxel.extract(scene(), spacing=SPACING, lower=40, same_topology=True, **keywords)
+            self.assert_same(found.labels, read(labels))
+            self.assertEqual(found.topology, json.loads(report.read_text())["topology"])
+            self.assertEqual(found.topology["added_cells"], np.count_nonzero(found.labels == 4))
+            plain = medialvoxel.extract(scene(), spacing=SPACING, lower=40, **keywords)
+            self.assertIsNone(plain.topology)
+            np.testing.assert_array_equal(found.medial, plain.medial)
+        with self.assertRaisesRegex(ValueError, "the same topology"):
+            medialvoxel.extract(scene().astype("uint8"), labels="all", same_topology=True)
+
     def test_values_without_a_scan_are_measured_on_the_object(self):
         values = scene().astype("uint8")
         found = medialvoxel.extract(values, lower=40, upper=90)

@@ -167,6 +167,7 @@ AddTopology(std::vector<OptionRow> & rows)
           "They have the label 4. The labels 2, 3 and 4 together have as many parts, tunnels and cavities as the "
           "object; labels 2 and 3 stay. Takes 2 bytes of scratch space for each voxel. Not with --labels.")
     .Needs("OUTPUT", HasLabels)
+    .Python(Extract)
     .Slicer({ "Object",
               "sameTopology",
               "Same topology",

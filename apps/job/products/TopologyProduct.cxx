@@ -7,10 +7,9 @@
 #include "MeshPlacement.h"
 #include "Options.h"
 #include "Text.h"
+#include "TopologyJson.h"
 #include "VolumeFormats.h"
 
-#include "itkMedialVoxelParameters.h"
-#include "itkMedialVoxelSameTopology.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -30,12 +29,6 @@ void
 WriteCells(const itk::MedialVoxelTileResult & tile, const TileTarget & target)
 {
   tile.WriteTopologyCells(static_cast<std::uint16_t *>(target.first), target.strides);
-}
-
-Json
-ToJson(const itk::MedialVoxelBettiNumbers & numbers)
-{
-  return { { "parts", numbers.parts }, { "tunnels", numbers.tunnels }, { "cavities", numbers.cavities } };
 }
 
 /** \class LabelWriter
@@ -58,18 +51,7 @@ public:
     std::transform(m_Packed.begin(), m_Packed.end(), m_Slice.begin(), [](const std::uint16_t cell) {
       return Cell::Unpack(cell).label;
     });
-    const itk::MedialVoxelBox & box = added.GetBox();
-    for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
-    {
-      for (std::int64_t word = 0; word < added.GetWordsPerRow(); ++word)
-      {
-        for (auto bits = added.GetRow(y, box.lower[2])[word]; bits != 0; bits &= bits - 1)
-        {
-          const std::int64_t x = word * itk::MedialVoxelBits::BitsPerWord + itk::MedialVoxelLowestBit(bits);
-          m_Slice[static_cast<std::size_t>(y * box.upper[0] + x)] = itk::MedialVoxelLabel::AddedForTopology;
-        }
-      }
-    }
+    itk::MedialVoxelSameTopology::Label(added, m_Slice.data(), { 1, added.GetBox().upper[0], 0 });
     m_Labels.Write(m_Number * m_PerSlice, m_PerSlice, m_Slice.data());
     ++m_Number;
   }
@@ -171,9 +153,7 @@ TopologyProduct::FillVolumes(JobResult & result, const ProductEnd & end)
   {
     writer.Write({}); // the last one has no cells
   }
-  result.topology = { { "added_cells", topology.GetNumberOfAddedCells() },
-                      { "object", ToJson(topology.GetBettiNumbersOfObject()) },
-                      { "sheet", ToJson(topology.GetBettiNumbersOfCells()) } };
+  result.topology = DescribeTopology(topology);
   result.seconds.topology = SecondsSince(start);
 }
 

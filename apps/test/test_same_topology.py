@@ -1,0 +1,152 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Cells that give the sheet the topology of the object: the same for any run, and counted from known shapes."""
+
+import json
+import math
+import random
+import unittest
+
+import volumes
+from program import REFUSED, USAGE, ProgramTestCase
+
+OPTION = "--same-topology"
+
+
+def shape(is_inside, size=(30, 28, 26)):
+    volume = volumes.Volume(size, [])
+    volume.voxels = [100 if is_inside(*(p - (n - 1) / 2 for p, n in zip(index, size))) else 0 for index in volume.indices()]
+    return volume
+
+
+def noisy_parts(size=(37, 33, 41), seed=5):
+    """A thick ball, tilted plates that cross, a rod, and a share of flipped voxels beside the object's border."""
+    draw = random.Random(seed)
+    volume = shape(
+        lambda x, y, z: math.dist((x, y, z), (-8, -6, 9)) < 9
+        or abs(0.3 * x + 0.2 * y + 0.93 * z + 4) < 1.7
+        or abs(0.8 * x - 0.6 * y) < 2.2 and z < 2
+        or math.hypot(x - 10, y - 8) < 3,
+        size,
+    )
+    volume.voxels = [100 - value if draw.random() < 0.02 else value for value in volume.voxels]
+    volume.spacing = (0.7, 0.7, 0.7)
+    return volume
+
+
+# Parts, tunnels and cavities.
+SHAPES = {
+    "ball": (shape(lambda x, y, z: math.hypot(x, y, z) < 9), (1, 0, 0)),
+    "shell": (shape(lambda x, y, z: 6 < math.hypot(x, y, z) < 10), (1, 0, 1)),
+    "ring": (shape(lambda x, y, z: math.hypot(math.hypot(x, y) - 9, z) < 3.5), (1, 1, 0)),
+    "tube that a plane closes": (
+        shape(lambda x, y, z: 5 < math.hypot(x, y) < 9 and abs(z) < 9 or math.hypot(x, y) < 9 and abs(z) < 2),
+        (1, 0, 0),
+    ),
+    "two rods": (shape(lambda x, y, z: math.hypot(abs(x) - 7, y) < 2.5 and abs(z) < 10), (2, 0, 0)),
+    "plate with holes": (
+        shape(lambda x, y, z: abs(z) < 2 and max(abs(x), abs(y)) < 11 and math.hypot(abs(x) - 5, y) > 3),
+        (1, 2, 0),
+    ),
+    "nothing": (shape(lambda x, y, z: False), (0, 0, 0)),
+}
+
+
+class SameTopologyTest(ProgramTestCase):
+    def labels(self, *arguments, output="out.mha"):
+        self.run_program("extract", "in.mha", output, *arguments, "--report", "r.json", "--overwrite", "--quiet")
+        self.report = json.loads((self.folder / "r.json").read_text())
+        return volumes.read_data(self.folder / output) if output.endswith((".mha", ".nrrd")) else b""
+
+    def check(self, labels, *arguments):
+        """Labels 2 and 3 stay, label 4 is counted, and both sets have the same numbers. Returns these."""
+        without = self.labels(*arguments)
+        self.assertNotIn("topology", self.report)
+        self.assertFalse(self.report["parameters"]["same_topology"])
+        self.assertEqual(without, bytes(1 if label == 4 else label for label in labels))
+        self.labels(*arguments, OPTION)
+        topology = self.report["topology"]
+        self.assertTrue(self.report["parameters"]["same_topology"])
+        self.assertEqual(topology["added_cells"], labels.count(4))
+        self.assertEqual(topology["sheet"], topology["object"])
+        return tuple(topology["object"].values())
+
+    def test_known_shapes(self):
+        for name, (volume, expected) in SHAPES.items():
+            volumes.write_meta(self.folder / "in.mha", volume)
+            for options in ((), ("--thickness", 3), ("--thickness", 7, "--max-pore-size", 4)):
+                self.assertEqual(self.check(self.labels(*options, OPTION), *options), expected, (name, options))
+
+    def test_runs_give_the_same_bytes(self):
+        volumes.write_meta(self.folder / "in.mha", noisy_parts())
+        added = 0
+        for options in (
+            ("--lower", 50),
+            ("--lower", 50, "--thickness", 2.1),
+            ("--lower", 50, "--thickness", 2.1, "--max-pore-size", 6),
+            ("--lower", 50, "--smooth", "on", "--thickness-map", "t.mha"),
+        ):
+            expected = self.labels(*options, OPTION)
+            self.check(expected, *options)
+            added += expected.count(4)
+            numbers = self.report["topology"]
+            for run in (
+                ("--divisions", 7),
+                ("--divisions", 41, "--threads", 1),
+                ("--threads", 3, "--memory", "64M"),
+                ("--sparse",),
+                ("--scratch", "."),
+                ("--preview", "p.png", "--html", "p.html", "--mesh", "m.ply"),
+            ):
+                self.assertEqual(self.labels(*options, *run, OPTION), expected, (options, run))
+                self.assertEqual(self.report["topology"], numbers, (options, run))
+        self.assertGreater(added, 100)
+
+    def test_storages(self):
+        """Packed labels come back as an input with the same cells."""
+        volumes.write_meta(self.folder / "in.mha", noisy_parts())
+        expected = self.labels("--lower", 50, OPTION)
+        for output, options in (
+            ("o.nrrd", ()), ("o.mha", ("--compress",)), ("o.nii.gz", ()), ("o.zarr", ()), ("o.nhdr", ()),
+        ):  # fmt: skip
+            self.labels("--lower", 50, OPTION, *options, output=output)
+            self.run_program("distance", output, "v.mha", "--lower", 4, "--overwrite", "--report", "d.json", "--quiet")
+            self.assertEqual(json.loads((self.folder / "d.json").read_text())["counts"]["object_voxels"], expected.count(4))
+        left = {path.name for path in self.folder.iterdir()} - {"in.mha", "out.mha", "r.json", "v.mha", "d.json", "o.raw"}
+        self.assertEqual(left, {"o.nrrd", "o.mha", "o.nii.gz", "o.zarr", "o.nhdr"})
+
+    def test_flat_volumes(self):
+        """In an image of two axes, a ring keeps its hole."""
+        for size in ((31, 29), (31, 29, 1)):
+            ring = volumes.Volume(size, [])
+            ring.voxels = [100 if 6 < math.hypot(index[0] - 15, index[1] - 14) < 11 else 0 for index in ring.indices()]
+            volumes.write_meta(self.folder / "in.mha", ring)
+            self.assertEqual(self.check(self.labels(OPTION)), (1, 1, 0), size)
+
+    def test_terminal_has_a_line(self):
+        volumes.write_meta(self.folder / "in.mha", SHAPES["ring"][0])
+        printed = self.run_program("extract", "in.mha", "out.mha", OPTION).stdout
+        self.assertRegex(printed, r"topology +\d+ cells added; parts 1, tunnels 1, cavities 0\n")
+        self.assertNotIn("topology", self.run_program("extract", "in.mha", "out.mha", "--overwrite").stdout)
+
+    def test_errors(self):
+        volumes.write_meta(self.folder / "in.mha", SHAPES["ball"][0])
+        extract = ("extract", "in.mha", "o.mha", OPTION)
+        self.assert_fails(USAGE, ["labels of several objects", "the same topology", "--label"], *extract, "--labels", "all")
+        self.assert_fails(USAGE, [OPTION, "OUTPUT"], "extract", "in.mha", OPTION, "--report", "r.json")
+        self.assert_fails(REFUSED, ["the same topology", "--resume"], *extract, "--resume", "job")
+        self.assert_fails(USAGE, [OPTION], "plan", "in.mha", "o.mha", "--job", "job", OPTION)
+
+    def test_lack_of_memory(self):
+        """A solid part holds more slices than a wall, which the plan cannot know."""
+        solid = shape(lambda x, y, z: max(abs(x), abs(y)) < 70 and abs(z) < 70, (150, 150, 150))
+        volumes.write_meta(self.folder / "in.mha", solid)
+        least = self.find_least_memory("extract", "in.mha", "o.mha", OPTION, "--thickness", 3)
+        self.assert_fails(
+            REFUSED, ["topology of the object", "--memory"],
+            "extract", "in.mha", "o.mha", OPTION, "--thickness", 3, "--memory", least, "--threads", 1,
+        )  # fmt: skip
+
+
+if __name__ == "__main__":
+    unittest.main()

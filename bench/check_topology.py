@@ -1,0 +1,207 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Compares parts, tunnels and cavities of the labels 2, 3 and 4 with those of the object, by the homology of GUDHI.
+
+Usage: bench/check_topology.py OUTPUT.json DATA [NUMBER [SEED]]    needs numpy, scipy, gudhi and the package medialvoxel
+NUMBER random volumes of 5 to 24 voxels a side, phantoms, and crops of the volumes in DATA. The object is the union of its voxels as
+closed cubes, so that voxels that touch at a corner are joined: GUDHI's complex of top-dimensional cells. The complex of the cells
+has all faces of these cubes whose corners are in the set. Each face becomes a cube of a grid with half the spacing. The cubes of
+faces that share a face touch, and no others, so that their union has the same homology.
+"""
+
+import itertools
+import json
+import pathlib
+import sys
+import time
+import zlib
+
+import gudhi
+import medialvoxel
+import numpy as np
+from scipy import ndimage
+
+CORNERS = np.ones((3, 3, 3))
+FACES = ndimage.generate_binary_structure(3, 1)
+
+
+def betti_numbers(cubes):
+    """Of a union of closed cubes."""
+    if not cubes.any():
+        return [0, 0, 0]
+    filtration = gudhi.CubicalComplex(top_dimensional_cells=np.where(cubes, 0.0, 1.0))
+    filtration.compute_persistence()
+    return (filtration.persistent_betti_numbers(0.0, 0.0) + [0, 0, 0])[:3]
+
+
+def shift(values, offset, size):
+    """The part of the values from an offset on."""
+    return values[tuple(slice(o, o + n) for o, n in zip(offset, size))]
+
+
+def complex_of_cells(cells, voxels):
+    """A place for each face of the grid of cells; True for the faces of object voxels whose corners are all in the set."""
+    faces = np.zeros([2 * n - 1 for n in cells.shape], bool)
+    for odd in itertools.product((0, 1), repeat=3):
+        size = [n - o for n, o in zip(cells.shape, odd)]
+        corners = np.ones(size, bool)
+        for offset in itertools.product(*(range(o + 1) for o in odd)):
+            corners &= shift(cells, offset, size)
+        around = np.zeros(size, bool)
+        for offset in itertools.product(*((1,) if o else (0, 1) for o in odd)):
+            around |= shift(voxels, offset, size)
+        faces[tuple(slice(o, None, 2) for o in odd)] = corners & around
+    return faces
+
+
+def fill_small(background, most, structure):
+    """The components of at most so many voxels without one at a face of the image."""
+    parts, number = ndimage.label(background, structure)
+    small = np.bincount(parts.ravel(), minlength=number + 1) <= most
+    small[0] = False
+    for axis, end in itertools.product(range(3), (0, -1)):
+        small[np.take(parts, end, axis)] = False
+    return small[parts]
+
+
+def without_noise(mask, most):
+    """Pores become object, then grains background; closed pores are no cavities."""
+    filled = mask | fill_small(~mask, most, CORNERS)
+    parts, number = ndimage.label(filled, CORNERS)
+    large = np.bincount(parts.ravel(), minlength=number + 1) > most
+    large[0] = False
+    kept = large[parts]
+    return kept, kept | fill_small(~kept, most, FACES)
+
+
+def check(name, mask, **keywords):
+    """A row of the results."""
+    most = keywords.get("max_pore_size", 0)
+    kept, filled = without_noise(mask, most) if most else (mask, mask)
+    start = time.process_time()
+    plain = medialvoxel.extract(mask, thickness_map=False, **keywords)
+    middle = time.process_time()
+    found = medialvoxel.extract(mask, thickness_map=False, same_topology=True, **keywords)
+    seconds = [middle - start, time.process_time() - middle]
+    inner = found.labels[tuple(slice(0, -1) for _ in range(3))]
+    of_object = betti_numbers(filled)
+    # Voxels at a face of the image have no corners there; the others hold all that counts.
+    of_sheet = betti_numbers(complex_of_cells(inner >= 2, filled))
+    told = [list(found.topology[kind].values()) for kind in ("object", "sheet")]
+    return {
+        "name": name,
+        "voxels": int(mask.size),
+        "object_voxels": int(kept.sum()),
+        "medial_cells": int(plain.medial.sum()),
+        "added_cells": int((found.labels == 4).sum()),
+        "betti_numbers": of_object,
+        "betti_numbers_of_medial_cells": betti_numbers(complex_of_cells((inner == 2) | (inner == 3), filled)),
+        "seconds": [round(second, 4) for second in seconds],
+        "same_object": found.counts["object_voxels"] == int(kept.sum()),
+        "passes": of_object == of_sheet
+        and told == [of_object, of_sheet]
+        and bool((np.where(found.labels == 4, 1, found.labels) == plain.labels).all())
+        and bool((plain.labels[found.labels == 4] <= 1).all()),
+    }
+
+
+def random_mask(draw):
+    size = draw.integers(5, 25 if draw.random() < 0.1 else 15, 3)
+    z, y, x = (index - (n - 1) / 2 for index, n in zip(np.indices(size), size))
+    normal = draw.normal(size=3)
+    height = (np.stack((z, y, x), -1) @ normal) / np.linalg.norm(normal)
+    kind = draw.integers(6)
+    if kind == 0:
+        return draw.random(size) < draw.uniform(0.1, 0.95)
+    if kind == 1:
+        noise = ndimage.gaussian_filter(draw.normal(size=size), draw.uniform(0.6, 2))
+        return noise > np.quantile(noise, draw.uniform(0.2, 0.9))
+    if kind == 2:
+        return (abs(height) < draw.uniform(0.6, 4)) ^ (draw.random(size) < draw.uniform(0, 0.2))
+    if kind == 3:
+        mask = np.zeros(size, bool)
+        for _ in range(draw.integers(2, 9)):
+            low = [draw.integers(n) for n in size]
+            mask[tuple(slice(a, a + draw.integers(1, 9)) for a in low)] ^= True
+        return mask
+    if kind == 4:
+        seeds = draw.random(size) < draw.uniform(0.005, 0.1)
+        return ndimage.binary_dilation(seeds, CORNERS if draw.random() < 0.5 else FACES, iterations=int(draw.integers(1, 4)))
+    step = draw.uniform(0.5, 1.2)
+    waves = np.sin(x * step) * np.cos(y * step) + np.sin(y * step) * np.cos(z * step) + np.sin(z * step) * np.cos(x * step)
+    return abs(waves) < draw.uniform(0.2, 1)
+
+
+def phantoms():
+    """Walls, clean and with a tenth of the voxels at their border flipped."""
+    draw = np.random.default_rng(7)
+    z, y, x = np.indices((44, 44, 44)) - 21.5
+    tilted = (0.31 * x + 0.22 * y + 0.925 * z) / np.linalg.norm((0.31, 0.22, 0.925))
+    inside = np.maximum(np.maximum(abs(x), abs(y)), abs(z)) < 18
+    radius = np.sqrt(x**2 + y**2 + z**2)
+    shapes = {f"plate {t}": (abs(z - 0.5 * (t % 2)) <= t / 2) & inside for t in (1, 2, 3, 4, 5, 8)}
+    shapes |= {f"tilted plate {t}": (abs(tilted) <= t / 2) & inside for t in (2, 3, 4, 5, 6, 8)}
+    shapes |= {f"shell {t}": abs(radius - 14) <= t / 2 for t in (3, 4, 6)}
+    shapes["T of 4"] = ((abs(z) <= 2) | (abs(x) <= 2) & (z > 0)) & inside
+    for name, mask in shapes.items():
+        yield name, mask
+        border = ndimage.binary_dilation(mask, CORNERS) & ~ndimage.binary_erosion(mask, CORNERS)
+        yield f"{name}, 10 % of its border flipped", mask ^ (border & (draw.random(mask.shape) < 0.1))
+
+
+def read_volume(path):
+    header, data = path.read_bytes().split(b"LOCAL\n", 1)
+    fields = dict(line.split(" = ") for line in header.decode().splitlines() if " = " in line)
+    kind = {"MET_UCHAR": "u1", "MET_SHORT": "<i2", "MET_USHORT": "<u2"}[fields["ElementType"]]
+    data = zlib.decompress(data) if fields.get("CompressedData") == "True" else data
+    return np.frombuffer(data, kind).reshape([int(n) for n in fields["DimSize"].split()][::-1])
+
+
+def crops(data, draw):
+    for name, lower in (("engine", 72), ("cranium", 200)):
+        path = data / f"{name}.mha"
+        if not path.exists():
+            continue
+        values = read_volume(path)
+        for _ in range(6):
+            corner = [int(draw.integers(max(1, n - 64))) for n in values.shape]
+            crop = values[tuple(slice(c, c + 64) for c in corner)] >= lower
+            yield f"{name} at {corner[::-1]}", np.ascontiguousarray(crop)
+
+
+def main():
+    output, data = map(pathlib.Path, sys.argv[1:3])
+    number, seed = (int(word) for word in [*sys.argv[3:], *["1000", "1"][len(sys.argv) - 3 :]])
+    rows = []
+    for i in range(number):
+        draw = np.random.default_rng([seed, i])
+        mask = random_mask(draw)
+        keywords = {"smooth": False, "max_pore_size": int(draw.choice((0, 0, 3, 32)))}
+        keywords["thickness"] = ("auto", 1.5, 3.0, 5.0)[draw.integers(4)]
+        rows.append(check(f"random {seed} {i}", mask, threads=1 + i % 2, **keywords))
+        if not rows[-1]["passes"]:
+            print(rows[-1], keywords, flush=True)
+    large = [check(name, mask, smooth=False) | {"phantom": True} for name, mask in phantoms()]
+    large += [check(name, mask, smooth=False) for name, mask in crops(data, np.random.default_rng(seed))]
+    for row in large:
+        row["share"] = row["added_cells"] / max(row["medial_cells"], 1)
+        print(row["name"], f"{row['share']:.3%}", row["betti_numbers"], row["passes"])
+    everything = rows + large
+    result = {
+        "random_volumes": number,
+        "failures": [row["name"] for row in everything if not row["passes"]],
+        "other_objects": sum(not row["same_object"] for row in everything),
+        "tunnels_of_random_volumes": sum(row["betti_numbers"][1] for row in rows),
+        "cavities_of_random_volumes": sum(row["betti_numbers"][2] for row in rows),
+        "random_with_another_topology_before": sum(
+            row["betti_numbers"] != row["betti_numbers_of_medial_cells"] for row in rows
+        ),
+        "volumes": large,
+    }
+    output.write_text(json.dumps(result, indent=1) + "\n")
+    print({key: value for key, value in result.items() if key != "volumes"})
+
+
+if __name__ == "__main__":
+    main()
