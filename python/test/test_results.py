@@ -140,8 +140,6 @@ class Results(Folder):
             plain = medialvoxel.extract(scene(), spacing=SPACING, lower=40, **keywords)
             self.assertIsNone(plain.topology)
             np.testing.assert_array_equal(found.medial, plain.medial)
-        with self.assertRaisesRegex(ValueError, "the same topology"):
-            medialvoxel.extract(scene().astype("uint8"), labels="all", same_topology=True)
 
     def test_values_without_a_scan_are_measured_on_the_object(self):
         values = scene().astype("uint8")
