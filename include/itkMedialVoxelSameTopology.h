@@ -75,7 +75,8 @@ public:
   MedialVoxelBettiNumbers
   GetBettiNumbersOfObject() const;
 
-  /** The same of the medial and the added cells: the same numbers. Cells without a level count, too. */
+  /** The same of the medial and the added cells: the same numbers, or 0 in an image without background,
+   * which has none. */
   MedialVoxelBettiNumbers
   GetBettiNumbersOfCells() const;
 

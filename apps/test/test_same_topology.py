@@ -123,6 +123,14 @@ class SameTopologyTest(ProgramTestCase):
             volumes.write_meta(self.folder / "in.mha", ring)
             self.assertEqual(self.check(self.labels(OPTION)), (1, 1, 0), size)
 
+    def test_no_background(self):
+        """Nothing has a distance, so that no cell can be chosen."""
+        volumes.write_meta(self.folder / "in.mha", volumes.Volume((9, 8, 7), [1] * 504))
+        self.assertEqual(set(self.labels(OPTION)), {0, 1})
+        self.assertEqual(self.report["topology"]["added_cells"], 0)
+        self.assertEqual(self.report["topology"]["object"], {"parts": 1, "tunnels": 0, "cavities": 0})
+        self.assertEqual(self.report["topology"]["sheet"], {"parts": 0, "tunnels": 0, "cavities": 0})
+
     def test_terminal_has_a_line(self):
         volumes.write_meta(self.folder / "in.mha", SHAPES["ring"][0])
         printed = self.run_program("extract", "in.mha", "out.mha", OPTION).stdout

@@ -91,7 +91,7 @@ ExtractOne(const ArrayCall & call, ExtractOptions options)
       itk::MedialVoxelSameTopology::Label(added, engine.PlaceOf(outputs.labels, added.GetBox()), strides);
     });
   }
-  const auto sums = engine.Run(object, extraction, [&](const itk::MedialVoxelTileResult & tile) {
+  const auto     sums = engine.Run(object, extraction, [&](const itk::MedialVoxelTileResult & tile) {
     tile.WriteLabels(engine.PlaceOf(outputs.labels, tile.box), strides);
     if (topology)
     {

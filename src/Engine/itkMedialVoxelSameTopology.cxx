@@ -79,6 +79,7 @@ public:
         ofObject[x / MedialVoxelBits::BitsPerWord] |= cell.isObject ? bit : 0;
         ofMedial[x / MedialVoxelBits::BitsPerWord] |= cell.label >= MedialVoxelLabel::MedialByBound ? bit : 0;
         waiting.levels[at] = cell.level;
+        m_HasBoundary = m_HasBoundary && cell.level != MedialVoxelThinning::NoLevel;
       }
     }
     m_Waiting.push_back(std::move(waiting));
@@ -120,7 +121,7 @@ public:
   MedialVoxelBettiNumbers
   GetBettiNumbersOfCells() const
   {
-    return m_Cells.GetBettiNumbers();
+    return m_HasBoundary ? m_Cells.GetBettiNumbers() : MedialVoxelBettiNumbers();
   }
 
 private:
@@ -217,6 +218,7 @@ private:
   std::deque<MedialVoxelBits> m_Objects; ///< filled, from the first slice that is not thinned
   MedialVoxelCellComplex      m_Object;
   MedialVoxelCellComplex      m_Cells;
+  bool                        m_HasBoundary{ true }; ///< in the image
   std::uint64_t               m_NumberOfAddedCells{ 0 };
 };
 
