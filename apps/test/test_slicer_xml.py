@@ -216,7 +216,7 @@ class InstallTest(unittest.TestCase):
             self.assertEqual(sorted(path.name for path in module.parent.iterdir()), sorted([module.name, XML_FILE.name]))
             table, = installed.glob("share/MedialVoxel/MedialVoxel.ctbl")
             rows = [line.split() for line in table.read_text().splitlines() if not line.startswith("#")]
-            self.assertEqual([row[0] for row in rows], ["0", "1", "2", "3"])
+            self.assertEqual([row[0] for row in rows], ["0", "1", "2", "3", "4"])
             for row in rows:
                 self.assertEqual(len(row), 6)
                 self.assertTrue(all(0 <= int(value) <= 255 for value in row[2:]), row)
