@@ -24,6 +24,7 @@ from scipy import ndimage
 
 CORNERS = np.ones((3, 3, 3))
 FACES = ndimage.generate_binary_structure(3, 1)
+CROP = 40  # voxels a side of the crops of real volumes
 
 
 def betti_numbers(cubes):
@@ -161,8 +162,8 @@ def crops(data, draw):
             continue
         values = read_volume(path)
         for _ in range(6):
-            corner = [int(draw.integers(max(1, n - 64))) for n in values.shape]
-            crop = values[tuple(slice(c, c + 64) for c in corner)] >= lower
+            corner = [int(draw.integers(max(1, n - CROP))) for n in values.shape]
+            crop = values[tuple(slice(c, c + CROP) for c in corner)] >= lower
             yield f"{name} at {corner[::-1]}", np.ascontiguousarray(crop)
 
 
