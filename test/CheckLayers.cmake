@@ -13,6 +13,7 @@ set(filters "^(itkMedialVoxel(Objects)?ImageFilter|itkMedialVoxel(Object|Sheet)P
 set(image_io "^itkStreaming[A-Za-z]*$")
 
 # A header in include/ belongs to the folder of its .cxx. These have none, or another folder than their .cxx.
+set(folder_of_itkMedialVoxelBettiNumbers Topology)
 set(folder_of_itkMedialVoxelRows Foundation)
 set(folder_of_itkMedialVoxelScan Foundation)
 set(folder_of_itkMedialVoxelSquaredLengths Distance)
