@@ -161,7 +161,8 @@ def main():
     document = common.describe_run(arguments.build, threads=1, blur=BLUR, noise=NOISE)
     names = [name for name in arguments.volumes if arguments.data or name not in REAL]
     kept = json.loads(arguments.output.read_text(encoding="utf-8"))["cases"] if arguments.add else []
-    document["cases"] = [case for case in kept if case["volume"] not in names] + [measure(arguments, name) for name in names]
+    cases = {case["volume"]: case for case in kept} | {name: measure(arguments, name) for name in names}
+    document["cases"] = [cases[name] for name in (*REAL, *PHANTOMS) if name in cases]
     arguments.output.write_text(json.dumps(document, indent=2) + "\n", encoding="utf-8")
     print(format_rows(document["cases"]))
 
