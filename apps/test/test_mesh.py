@@ -179,6 +179,16 @@ class MeshTest(ProgramTestCase):
             self.assertEqual(len(diagonal), 2)
             self.assertLessEqual(length(*diagonal), length(*({*quad} - diagonal)) + 1e-6)
 
+    def test_bytes_of_vtk_arrays_have_the_order_of_their_names(self):
+        """Compilers choose in which order the parts of an expression are computed."""
+        self.write(rough_shell())
+        for name in ("m.vtp", "m.vtu"):
+            self.mesh("in.mha", name)
+            head = (self.folder / name).read_bytes().split(b"<AppendedData")[0]
+            offsets = [int(offset) for offset in re.findall(rb'offset="(\d+)"', head)]
+            self.assertGreaterEqual(len(offsets), 7)
+            self.assertEqual(offsets, sorted(offsets), name)
+
     def test_small_components_are_left_out(self):
         def plates(with_small_one):
             volume = volumes.Volume((30, 24, 20), [])

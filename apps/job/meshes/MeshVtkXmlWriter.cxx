@@ -17,8 +17,8 @@ class AppendedArrays
 public:
   using Write = std::function<void(BufferedOutput & output)>;
 
-  /** Takes an array and returns the element that names it. */
-  std::string
+  /** Takes an array. Its bytes follow those of the arrays before it. */
+  void
   Add(const char * name, const char * type, unsigned int components, std::uint64_t numberOfBytes, Write write)
   {
     std::string element = std::string("        <DataArray type=\"") + type + "\" Name=\"" + name + "\"";
@@ -26,10 +26,22 @@ public:
     {
       element += " NumberOfComponents=\"" + std::to_string(components) + "\"";
     }
-    element += " format=\"appended\" offset=\"" + std::to_string(m_Offset) + "\"/>\n";
+    m_Elements += element + " format=\"appended\" offset=\"" + std::to_string(m_Offset) + "\"/>\n";
     m_Offset += sizeof(std::uint64_t) + numberOfBytes;
     m_Arrays.push_back({ numberOfBytes, std::move(write) });
-    return element;
+  }
+
+  /** The tag before or after those of arrays. */
+  void
+  Tag(const std::string & tag)
+  {
+    m_Elements += "      <" + tag + ">\n";
+  }
+
+  const std::string &
+  GetElements() const
+  {
+    return m_Elements;
   }
 
   void
@@ -45,11 +57,12 @@ public:
   }
 
 private:
+  std::string                                  m_Elements;
   std::vector<std::pair<std::uint64_t, Write>> m_Arrays;
   std::uint64_t                                m_Offset{ 0 };
 };
 
-std::string
+void
 AddPoints(MeshReader & reader, AppendedArrays & arrays)
 {
   const bool          isDouble = reader.GetMesh().GetPrecision() == MeshPrecision::Double;
@@ -59,40 +72,40 @@ AddPoints(MeshReader & reader, AppendedArrays & arrays)
       ForEachCoordinate(reader, vertex, [&](auto coordinate) { output.LittleEndian(coordinate); });
     });
   };
-  return "      <Points>\n" + arrays.Add("Points", isDouble ? "Float64" : "Float32", 3, bytes, write) +
-         "      </Points>\n";
+  arrays.Tag("Points");
+  arrays.Add("Points", isDouble ? "Float64" : "Float32", 3, bytes, write);
+  arrays.Tag("/Points");
 }
 
 /** An array with a number for each vertex. */
 template <typename TGet>
-std::string
+void
 AddVertexArray(MeshReader & reader, AppendedArrays & arrays, const char * name, TGet get)
 {
   const std::uint64_t bytes = reader.GetMesh().GetNumberOfVertices() * sizeof(float);
-  return arrays.Add(name, "Float32", 1, bytes, [&reader, get](BufferedOutput & output) {
+  arrays.Add(name, "Float32", 1, bytes, [&reader, get](BufferedOutput & output) {
     reader.ForEachVertex([&](std::uint64_t number, const auto & vertex) { output.LittleEndian(get(number, vertex)); });
   });
 }
 
-std::string
+void
 AddPointData(MeshReader & reader, const MeshWriteOptions & options, AppendedArrays & arrays)
 {
   using Vertex = MeshSpool::Vertex;
-  std::string text =
-    "      <PointData Scalars=\"Thickness\">\n" +
-    AddVertexArray(reader, arrays, "Thickness", [](std::uint64_t, const Vertex & vertex) { return vertex.thickness; });
+  arrays.Tag("PointData Scalars=\"Thickness\"");
+  AddVertexArray(reader, arrays, "Thickness", [](std::uint64_t, const Vertex & vertex) { return vertex.thickness; });
   for (const VertexValues * const array : options.vertexArrays)
   {
-    text += AddVertexArray(reader, arrays, array->GetName().c_str(), [array](std::uint64_t number, const Vertex &) {
+    AddVertexArray(reader, arrays, array->GetName().c_str(), [array](std::uint64_t number, const Vertex &) {
       return array->Get(number);
     });
   }
-  return text + "      </PointData>\n";
+  arrays.Tag("/PointData");
 }
 
 /** An array with a number for each face, from these parts of it. */
 template <typename TGet>
-std::string
+void
 AddFaceArray(MeshReader &     reader,
              AppendedArrays & arrays,
              const char *     name,
@@ -101,7 +114,7 @@ AddFaceArray(MeshReader &     reader,
              MeshFaceFields   parts = MeshFaceFields::Marks)
 {
   const std::uint64_t bytes = reader.GetMesh().GetNumberOfFaces() * sizeof(get(MeshFace{}));
-  return arrays.Add(name, type, 1, bytes, [&reader, get, parts](BufferedOutput & output) mutable {
+  arrays.Add(name, type, 1, bytes, [&reader, get, parts](BufferedOutput & output) mutable {
     reader.ForEachFace([&](std::uint64_t, const MeshFace & face) { output.LittleEndian(get(face)); }, parts);
   });
 }
@@ -112,33 +125,31 @@ CountFaceArrays(const MeshWriteOptions & options)
   return options.isOfPart ? 1 : (options.objectLabels.empty() ? 3 : 4);
 }
 
-std::string
+void
 AddCellData(MeshReader & reader, const MeshWriteOptions & options, AppendedArrays & arrays)
 {
+  arrays.Tag("CellData");
   if (options.isOfPart)
   {
-    return "      <CellData>\n" +
-           AddFaceArray(
-             reader, arrays, "Cap", "UInt8", [](const MeshFace & face) { return std::uint8_t{ face.isCap }; }) +
-           "      </CellData>\n";
+    AddFaceArray(reader, arrays, "Cap", "UInt8", [](const MeshFace & face) { return std::uint8_t{ face.isCap }; });
   }
-  std::string objects;
-  if (!options.objectLabels.empty())
+  else
+  {
+    AddFaceArray(reader, arrays, "RimEdges", "UInt8", [](const MeshFace & face) { return face.rimEdges; });
+    AddFaceArray(reader, arrays, "JunctionEdges", "UInt8", [](const MeshFace & face) { return face.junctionEdges; });
+    AddFaceArray(
+      reader, arrays, "Area", "Float32", [](const MeshFace & face) { return static_cast<float>(face.area); });
+  }
+  if (!options.isOfPart && !options.objectLabels.empty())
   {
     const auto labelOf = [&reader, &options](const MeshFace & face) { return GetLabel(reader, options, face); };
-    objects = AddFaceArray(reader, arrays, "Object", "Int64", labelOf, MeshFaceFields::Corners);
+    AddFaceArray(reader, arrays, "Object", "Int64", labelOf, MeshFaceFields::Corners);
   }
-  return "      <CellData>\n" +
-         AddFaceArray(reader, arrays, "RimEdges", "UInt8", [](const MeshFace & face) { return face.rimEdges; }) +
-         AddFaceArray(
-           reader, arrays, "JunctionEdges", "UInt8", [](const MeshFace & face) { return face.junctionEdges; }) +
-         AddFaceArray(
-           reader, arrays, "Area", "Float32", [](const MeshFace & face) { return static_cast<float>(face.area); }) +
-         objects + "      </CellData>\n";
+  arrays.Tag("/CellData");
 }
 
 /** Corners of all faces, one after the other, and where each face ends. */
-std::string
+void
 AddCorners(MeshReader & reader, AppendedArrays & arrays)
 {
   const MeshSpool &   surface = reader.GetMesh();
@@ -152,10 +163,10 @@ AddCorners(MeshReader & reader, AppendedArrays & arrays)
     };
     reader.ForEachFace(write, MeshFaceFields::Corners);
   };
-  return arrays.Add("connectivity", "Int64", 1, corners * sizeof(std::int64_t), writeCorners) +
-         AddFaceArray(reader, arrays, "offsets", "Int64", [end = std::uint64_t{ 0 }](const MeshFace & face) mutable {
-           return end += face.numberOfVertices;
-         });
+  arrays.Add("connectivity", "Int64", 1, corners * sizeof(std::int64_t), writeCorners);
+  AddFaceArray(reader, arrays, "offsets", "Int64", [end = std::uint64_t{ 0 }](const MeshFace & face) mutable {
+    return end += face.numberOfVertices;
+  });
 }
 
 /** The whole file. \param counts attributes of the piece beside the number of its points \param cells their element */
@@ -163,7 +174,6 @@ void
 WriteFile(const char *           dataSet,
           MeshReader &           reader,
           const std::string &    counts,
-          const std::string &    content,
           const AppendedArrays & arrays,
           const std::string &    title,
           BufferedOutput &       output)
@@ -173,7 +183,7 @@ WriteFile(const char *           dataSet,
               "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n  <" + name +
               ">\n    <Piece NumberOfPoints=\"");
   output.Integer(reader.GetMesh().GetNumberOfVertices());
-  output.Text("\" " + counts + ">\n" + content + "    </Piece>\n  </" + name + ">\n");
+  output.Text("\" " + counts + ">\n" + arrays.GetElements() + "    </Piece>\n  </" + name + ">\n");
   arrays.WriteAll(output);
   output.Text("</VTKFile>\n");
 }
@@ -184,31 +194,34 @@ void
 WriteMeshVtp(MeshReader & reader, const MeshWriteOptions & options, BufferedOutput & output)
 {
   reader.SetNumberOfPasses(2 + options.vertexArrays.size(), 2 + CountFaceArrays(options));
-  AppendedArrays    arrays;
-  const std::string content = AddPointData(reader, options, arrays) + AddCellData(reader, options, arrays) +
-                              AddPoints(reader, arrays) + "      <Polys>\n" + AddCorners(reader, arrays) +
-                              "      </Polys>\n";
+  AppendedArrays arrays;
+  AddPointData(reader, options, arrays);
+  AddCellData(reader, options, arrays);
+  AddPoints(reader, arrays);
+  arrays.Tag("Polys");
+  AddCorners(reader, arrays);
+  arrays.Tag("/Polys");
   const std::string counts = R"(NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys=")" +
                              std::to_string(reader.GetMesh().GetNumberOfFaces()) + "\"";
-  WriteFile("PolyData", reader, counts, content, arrays, GetTitle(options), output);
+  WriteFile("PolyData", reader, counts, arrays, GetTitle(options), output);
 }
 
 void
 WriteMeshVtu(MeshReader & reader, const MeshWriteOptions & options, BufferedOutput & output)
 {
   reader.SetNumberOfPasses(2 + options.vertexArrays.size(), 3 + CountFaceArrays(options));
-  AppendedArrays    arrays;
-  const std::string content =
-    AddPointData(reader, options, arrays) + AddCellData(reader, options, arrays) + AddPoints(reader, arrays) +
-    "      <Cells>\n" + AddCorners(reader, arrays) +
-    AddFaceArray(reader,
-                 arrays,
-                 "types",
-                 "UInt8",
-                 [](const MeshFace & face) { return face.numberOfVertices == 3 ? VtkTriangle : VtkQuad; }) +
-    "      </Cells>\n";
+  AppendedArrays arrays;
+  AddPointData(reader, options, arrays);
+  AddCellData(reader, options, arrays);
+  AddPoints(reader, arrays);
+  arrays.Tag("Cells");
+  AddCorners(reader, arrays);
+  AddFaceArray(reader, arrays, "types", "UInt8", [](const MeshFace & face) {
+    return face.numberOfVertices == 3 ? VtkTriangle : VtkQuad;
+  });
+  arrays.Tag("/Cells");
   const std::string counts = "NumberOfCells=\"" + std::to_string(reader.GetMesh().GetNumberOfFaces()) + "\"";
-  WriteFile("UnstructuredGrid", reader, counts, content, arrays, GetTitle(options), output);
+  WriteFile("UnstructuredGrid", reader, counts, arrays, GetTitle(options), output);
 }
 
 } // end namespace medialvoxel
