@@ -8,13 +8,16 @@ Usage: compare_programs.py FOLDER WORD... -- COMMAND...
   COMMAND: the other program, e.g. qemu-aarch64-static build/cross/medialvoxel
 """
 
+import base64
 import hashlib
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 import time
+import zlib
 
 from jobs import results
 from program import PROGRAM
@@ -60,6 +63,33 @@ RUNS = (
 )
 
 
+def unpack_picture(picture):
+    """Without how zlib packed its pixels, which its versions do differently."""
+    chunks, position = [], 8
+    while position < len(picture):
+        end = position + 12 + int.from_bytes(picture[position : position + 4], "big")
+        chunks.append((picture[position + 4 : position + 8], picture[position + 8 : end - 4]))
+        position = end
+    pixels = zlib.decompress(b"".join(content for name, content in chunks if name == b"IDAT"))
+    return repr([chunk for chunk in chunks if chunk[0] != b"IDAT"]).encode() + pixels
+
+
+def unpack(content):
+    """A picture, or a page with its pictures and packed numbers, without the version of ITK."""
+    if content.startswith(b"\x89PNG"):
+        return unpack_picture(content)
+
+    def unpack_part(match):
+        part = base64.b64decode(match[0])
+        if part.startswith(b"\x89PNG"):
+            return unpack_picture(part)
+        return zlib.decompress(part, wbits=31) if part.startswith(b"\x1f\x8b") else match[0]
+
+    if not content.startswith(b"<!DOCTYPE html>"):
+        return content
+    return re.sub(rb"[A-Za-z0-9+/]{60,}={0,2}", unpack_part, re.sub(rb">ITK</th>.*", b"", content))
+
+
 def run(command, arguments, folder):
     """The digest of each output, and the seconds; a folder is one output."""
     folder.mkdir()
@@ -73,7 +103,7 @@ def run(command, arguments, folder):
     for name, content in sorted(contents.items()):
         if isinstance(content, dict):
             content.pop("itk_version", None)
-        data = content if isinstance(content, bytes) else json.dumps([name, content]).encode()
+        data = unpack(content) if isinstance(content, bytes) else json.dumps([name, content]).encode()
         digests.setdefault(pathlib.Path(name).parts[0], hashlib.sha256()).update(data)
     return {name: data.hexdigest() for name, data in digests.items()} if finished.returncode == 0 else {}, seconds
 
