@@ -169,7 +169,18 @@ AddCorners(MeshReader & reader, AppendedArrays & arrays)
   });
 }
 
-/** The whole file. \param counts attributes of the piece beside the number of its points \param cells their element */
+/** All that both kinds of files have. \param faces the element of their corners, which stays open */
+void
+AddContent(MeshReader & reader, const MeshWriteOptions & options, const char * faces, AppendedArrays & arrays)
+{
+  AddPointData(reader, options, arrays);
+  AddCellData(reader, options, arrays);
+  AddPoints(reader, arrays);
+  arrays.Tag(faces);
+  AddCorners(reader, arrays);
+}
+
+/** The whole file. \param counts attributes of the piece beside the number of its points */
 void
 WriteFile(const char *           dataSet,
           MeshReader &           reader,
@@ -195,11 +206,7 @@ WriteMeshVtp(MeshReader & reader, const MeshWriteOptions & options, BufferedOutp
 {
   reader.SetNumberOfPasses(2 + options.vertexArrays.size(), 2 + CountFaceArrays(options));
   AppendedArrays arrays;
-  AddPointData(reader, options, arrays);
-  AddCellData(reader, options, arrays);
-  AddPoints(reader, arrays);
-  arrays.Tag("Polys");
-  AddCorners(reader, arrays);
+  AddContent(reader, options, "Polys", arrays);
   arrays.Tag("/Polys");
   const std::string counts = R"(NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys=")" +
                              std::to_string(reader.GetMesh().GetNumberOfFaces()) + "\"";
@@ -211,11 +218,7 @@ WriteMeshVtu(MeshReader & reader, const MeshWriteOptions & options, BufferedOutp
 {
   reader.SetNumberOfPasses(2 + options.vertexArrays.size(), 3 + CountFaceArrays(options));
   AppendedArrays arrays;
-  AddPointData(reader, options, arrays);
-  AddCellData(reader, options, arrays);
-  AddPoints(reader, arrays);
-  arrays.Tag("Cells");
-  AddCorners(reader, arrays);
+  AddContent(reader, options, "Cells", arrays);
   AddFaceArray(reader, arrays, "types", "UInt8", [](const MeshFace & face) {
     return face.numberOfVertices == 3 ? VtkTriangle : VtkQuad;
   });
