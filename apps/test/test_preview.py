@@ -62,6 +62,16 @@ class PreviewTest(ProgramTestCase):
                 counts[color] = counts.get(color, 0) + 1
         return counts
 
+    def test_cells_for_the_topology_are_in_the_legend(self):
+        """A cube of 3 voxels has no sheet for a thickness of 8, but one cell for its topology."""
+        yellow = (255, 200, 40)
+        volume = volumes.Volume((20, 20, 20), [])
+        volume.voxels = [1 if max(abs(c - 10) for c in index) <= 1 else 0 for index in volume.indices()]
+        self.assertNotIn(yellow, self.colors(self.preview(volume, thickness="8vx")))
+        rows = self.preview(volume, "--same-topology", thickness="8vx")
+        self.assertIn(yellow, self.colors(rows[-15:]))
+        self.assertIn(yellow, self.colors(rows[: len(rows) // 2]))
+
     def test_colors_of_three_slices(self):
         volume = volumes.box_with_plate()
         colors = self.colors(self.preview(volume, "--lower", 72))

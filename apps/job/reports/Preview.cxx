@@ -7,6 +7,7 @@
 #include "itkMedialVoxelElementary.h"
 #include "itkMedialVoxelParameters.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace medialvoxel
@@ -85,10 +86,14 @@ DrawPreview(const VoxelOutput & labels, const VolumeGeometry & geometry, const S
   const PreviewLayout     layout = ArrangePreview(geometry);
   const std::vector<View> views = ChooseViews(geometry, survey);
   const bool              isSolid = geometry.GetDimension() == 3;
+  bool                    hasAdded = false;
   Canvas                  canvas(layout.width, layout.height);
   for (size_t i = 0; i < views.size(); ++i)
   {
     const auto slice = ReadSlice<std::uint8_t>(labels, geometry, survey, views[i]);
+    hasAdded =
+      hasAdded || std::find(slice.values.begin(), slice.values.end(), itk::MedialVoxelLabel::AddedForTopology) !=
+                    slice.values.end();
     DrawView(canvas, layout.areas[i], slice.width, slice.height, views[i].upwards, [&](const CoveredArea & covered) {
       return GetColor(slice, covered);
     });
@@ -105,6 +110,7 @@ DrawPreview(const VoxelOutput & labels, const VolumeGeometry & geometry, const S
   const unsigned int y = layout.height - TextHeight - PreviewGap;
   unsigned int       x = DrawLegendEntry(canvas, PreviewGap, y, ObjectColor, "Object");
   x = DrawLegendEntry(canvas, x, y, MedialColor, "Medial sheet");
+  x = hasAdded ? DrawLegendEntry(canvas, x, y, AddedColor, "Added for the topology") : x;
   DrawScaleBar(canvas, x, y, layout.pixelsPerUnit, geometry);
   return canvas;
 }
