@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace itk
 {
@@ -43,25 +44,20 @@ GetDistance2(const Vector & a, const Vector & b)
   return MedialVoxelDot(between, between);
 }
 
-/** The larger of two numbers without a branch, which std::max() of three has. */
-double
-GetLarger(const double a, const double b)
+constexpr float Infinity = std::numeric_limits<float>::infinity();
+
+/** Boxes are not searched beyond it: nodes with fewer children have some at an infinite distance. */
+constexpr double MostDistance2 = std::numeric_limits<float>::max() / 2.0;
+
+/** More than rounding to single precision changes a coordinate. */
+float
+GetMargin(const float coordinate)
 {
-  return a > b ? a : b;
+  return 2.5e-7F * std::abs(coordinate);
 }
 
-template <typename TNode>
-double
-GetDistance2ToBox(const Vector & point, const TNode & node)
-{
-  double sum = 0.0;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    const double outside = GetLarger(GetLarger(node.low[axis] - point[axis], point[axis] - node.high[axis]), 0.0);
-    sum += outside * outside;
-  }
-  return sum;
-}
+/** Rounding may make the distance of a box larger by this factor. */
+constexpr double RoundingOfDistance = 1.000002;
 
 } // namespace
 
@@ -98,131 +94,225 @@ MedialVoxelNearestOfTriangle(const Vector & point, const std::array<Vector, 3> &
   return best;
 }
 
+/** \class MedialVoxelSheetTree::Builder
+ * \brief Puts triangles in an order in which neighbors follow each other, and makes nodes of them. */
+class MedialVoxelSheetTree::Builder
+{
+public:
+  Builder(MedialVoxelSheetTree & tree, const std::vector<Index> & groups)
+    : m_Tree(tree)
+    , m_Items(groups.size())
+  {
+    std::vector<Index> ends;
+    for (const Index group : groups)
+    {
+      ends.resize(std::max<std::size_t>(ends.size(), group + std::size_t{ 1 }));
+      ++ends[group];
+    }
+    std::exclusive_scan(ends.begin(), ends.end(), ends.begin(), Index{ 0 });
+    for (Index number = 0; number < groups.size(); ++number)
+    {
+      m_Items[ends[groups[number]]++] = { GetCenter(number), number };
+    }
+    Index first = 0;
+    for (const Index end : ends)
+    {
+      m_Tree.m_Roots.push_back(first == end ? Empty : this->AddNode({ first, end }));
+      first = end;
+    }
+    for (const Item & item : m_Items)
+    {
+      m_Tree.m_Order.push_back(item.number);
+    }
+  }
+
+private:
+  struct Item
+  {
+    std::array<float, 3> center;
+    Index                number;
+  };
+
+  struct Range
+  {
+    Index first;
+    Index end;
+
+    bool
+    IsLeaf() const
+    {
+      return end - first <= TrianglesOfLeaf;
+    }
+  };
+
+  struct Box
+  {
+    std::array<float, 3> low{ { Infinity, Infinity, Infinity } };
+    std::array<float, 3> high{ { -Infinity, -Infinity, -Infinity } };
+
+    void
+    Add(const unsigned int axis, const float coordinate)
+    {
+      low[axis] = std::min(low[axis], coordinate);
+      high[axis] = std::max(high[axis], coordinate);
+    }
+  };
+
+  std::array<float, 3>
+  GetCenter(const Index number) const
+  {
+    const Triangle &     corners = m_Tree.m_Triangles[number];
+    std::array<float, 3> center{};
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      const auto at = [&](const unsigned int k) { return (*m_Tree.m_Points)[corners[k]][axis]; };
+      center[axis] = static_cast<float>((at(0) + at(1) + at(2)) / 3.0);
+    }
+    return center;
+  }
+
+  /** Divides a range in two across its longest direction. */
+  std::array<Range, 2>
+  Divide(const Range & range)
+  {
+    Box box;
+    for (Index place = range.first; place < range.end; ++place)
+    {
+      for (unsigned int axis = 0; axis < 3; ++axis)
+      {
+        box.Add(axis, m_Items[place].center[axis]);
+      }
+    }
+    unsigned int widest = 0;
+    for (unsigned int axis = 1; axis < 3; ++axis)
+    {
+      widest = box.high[axis] - box.low[axis] > box.high[widest] - box.low[widest] ? axis : widest;
+    }
+    const Index half = range.first + (range.end - range.first) / 2;
+    const auto  begin = m_Items.begin();
+    std::nth_element(begin + range.first, begin + half, begin + range.end, [widest](const Item & a, const Item & b) {
+      return a.center[widest] != b.center[widest] ? a.center[widest] < b.center[widest] : a.number < b.number;
+    });
+    return { { { range.first, half }, { half, range.end } } };
+  }
+
+  /** \return its number */
+  Index
+  AddNode(const Range & range)
+  {
+    const auto number = static_cast<Index>(m_Tree.m_Nodes.size());
+    m_Tree.m_Nodes.emplace_back();
+    m_Tree.m_Nodes.back().low.fill(Lanes{} + Infinity);
+    m_Tree.m_Nodes.back().high.fill(Lanes{} - Infinity);
+    std::size_t child = 0;
+    if (range.IsLeaf())
+    {
+      this->AddChild(number, child, range);
+      return number;
+    }
+    for (const Range & half : this->Divide(range))
+    {
+      if (half.IsLeaf())
+      {
+        this->AddChild(number, child++, half);
+        continue;
+      }
+      for (const Range & quarter : this->Divide(half))
+      {
+        this->AddChild(number, child++, quarter);
+      }
+    }
+    return number;
+  }
+
+  void
+  AddChild(const Index number, const std::size_t child, const Range & range)
+  {
+    // Nodes move while others are added.
+    const Index first = range.IsLeaf() ? range.first : this->AddNode(range);
+    const Box   box = range.IsLeaf() ? this->GetBox(range) : GetBox(m_Tree.m_Nodes[first]);
+    Node &      node = m_Tree.m_Nodes[number];
+    node.first[child] = first;
+    node.count[child] = range.IsLeaf() ? range.end - range.first : 0;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      node.low[axis][child] = box.low[axis];
+      node.high[axis][child] = box.high[axis];
+    }
+  }
+
+  Box
+  GetBox(const Range & leaf) const
+  {
+    Box box;
+    for (Index place = leaf.first; place < leaf.end; ++place)
+    {
+      for (const Index corner : m_Tree.m_Triangles[m_Items[place].number])
+      {
+        for (unsigned int axis = 0; axis < 3; ++axis)
+        {
+          const auto coordinate = static_cast<float>((*m_Tree.m_Points)[corner][axis]);
+          box.Add(axis, coordinate - GetMargin(coordinate));
+          box.Add(axis, coordinate + GetMargin(coordinate));
+        }
+      }
+    }
+    return box;
+  }
+
+  static Box
+  GetBox(const Node & node)
+  {
+    Box box;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      for (std::size_t child = 0; child < ChildrenOfNode; ++child)
+      {
+        box.low[axis] = std::min(box.low[axis], node.low[axis][child]);
+        box.high[axis] = std::max(box.high[axis], node.high[axis][child]);
+      }
+    }
+    return box;
+  }
+
+  MedialVoxelSheetTree & m_Tree;
+  std::vector<Item>      m_Items;
+};
+
+MedialVoxelSheetTree::Query::Query(const Point & place, const double enoughDistance2)
+  : point(place)
+  , enough(enoughDistance2)
+{
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const auto coordinate = static_cast<float>(point[axis]);
+    below[axis] = Lanes{} + (coordinate - GetMargin(coordinate));
+    above[axis] = Lanes{} + (coordinate + GetMargin(coordinate));
+  }
+}
+
 MedialVoxelSheetTree::MedialVoxelSheetTree(const std::vector<Point> &    points,
                                            const std::vector<Triangle> & triangles,
                                            const std::vector<Index> &    groups)
   : m_Points(&points)
   , m_Triangles(triangles)
-  , m_Order(triangles.size())
 {
   assert(groups.size() == triangles.size());
-  std::vector<Index> ends;
-  for (const Index group : groups)
-  {
-    ends.resize(std::max<std::size_t>(ends.size(), group + std::size_t{ 1 }));
-    ++ends[group];
-  }
-  for (std::size_t group = 1; group < ends.size(); ++group)
-  {
-    ends[group] += ends[group - 1];
-  }
-  std::vector<Index> starts(ends.size());
-  for (std::size_t group = 0; group < ends.size(); ++group)
-  {
-    starts[group] = group == 0 ? 0 : ends[group - 1];
-  }
-  std::vector<Index>                next = starts;
-  std::vector<std::array<float, 3>> centers(triangles.size());
-  for (Index number = 0; number < triangles.size(); ++number)
-  {
-    m_Order[next[groups[number]]++] = number;
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      const Triangle & corners = triangles[number];
-      centers[number][axis] =
-        static_cast<float>((points[corners[0]][axis] + points[corners[1]][axis] + points[corners[2]][axis]) / 3.0);
-    }
-  }
-  for (std::size_t group = 0; group < ends.size(); ++group)
-  {
-    m_Roots.push_back(static_cast<Index>(m_Nodes.size()));
-    if (ends[group] > starts[group])
-    {
-      this->Build(starts[group], ends[group] - starts[group], centers);
-    }
-    else
-    {
-      m_Roots.back() = Empty;
-    }
-  }
+  Builder(*this, groups);
   for (std::size_t place = 0; place < m_Order.size(); ++place)
   {
     m_Triangles[place] = triangles[m_Order[place]];
   }
 }
 
-void
-MedialVoxelSheetTree::Build(const Index first, const Index count, const std::vector<std::array<float, 3>> & centers)
+auto
+MedialVoxelSheetTree::Find(const Point & point, const Index group, const double within) const -> Nearest
 {
-  // m_Triangles is in the order given until all nodes are built.
-  constexpr float   infinity = std::numeric_limits<float>::infinity();
-  const std::size_t number = m_Nodes.size();
-  m_Nodes.push_back({ { { infinity, infinity, infinity } }, { { -infinity, -infinity, -infinity } }, first, count });
-  if (count <= TrianglesOfLeaf)
+  Nearest best{ {}, within * within, Empty };
+  if (group < m_Roots.size() && m_Roots[group] != Empty)
   {
-    for (Index place = first; place < first + count; ++place)
-    {
-      for (const Index corner : m_Triangles[m_Order[place]])
-      {
-        for (unsigned int axis = 0; axis < 3; ++axis)
-        {
-          const auto coordinate = static_cast<float>((*m_Points)[corner][axis]);
-          m_Nodes[number].low[axis] = std::min(m_Nodes[number].low[axis], coordinate);
-          m_Nodes[number].high[axis] = std::max(m_Nodes[number].high[axis], coordinate);
-        }
-      }
-    }
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      m_Nodes[number].low[axis] = std::nextafter(m_Nodes[number].low[axis], -infinity);
-      m_Nodes[number].high[axis] = std::nextafter(m_Nodes[number].high[axis], infinity);
-    }
-    return;
+    this->Search(m_Roots[group], { point, 0.0 }, best);
   }
-  std::array<float, 3> low{ { infinity, infinity, infinity } };
-  std::array<float, 3> high{ { -infinity, -infinity, -infinity } };
-  for (Index place = first; place < first + count; ++place)
-  {
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      low[axis] = std::min(low[axis], centers[m_Order[place]][axis]);
-      high[axis] = std::max(high[axis], centers[m_Order[place]][axis]);
-    }
-  }
-  unsigned int widest = 0;
-  for (unsigned int axis = 1; axis < 3; ++axis)
-  {
-    widest = high[axis] - low[axis] > high[widest] - low[widest] ? axis : widest;
-  }
-  const Index half = count / 2;
-  const auto  begin = m_Order.begin() + first;
-  std::nth_element(begin, begin + half, begin + count, [&](const Index a, const Index b) {
-    return centers[a][widest] != centers[b][widest] ? centers[a][widest] < centers[b][widest] : a < b;
-  });
-  this->Build(first, half, centers);
-  const std::size_t right = m_Nodes.size();
-  this->Build(first + half, count - half, centers);
-  Node & node = m_Nodes[number];
-  node.first = static_cast<Index>(right);
-  node.count = 0;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    node.low[axis] = std::min(m_Nodes[number + 1].low[axis], m_Nodes[right].low[axis]);
-    node.high[axis] = std::max(m_Nodes[number + 1].high[axis], m_Nodes[right].high[axis]);
-  }
-}
-
-MedialVoxelSheetTree::Nearest
-MedialVoxelSheetTree::Find(const Point & point, const Index group, const double within) const
-{
-  Nearest best;
-  if (group >= m_Roots.size() || m_Roots[group] == Empty)
-  {
-    return best;
-  }
-  best.distance = within * within;
-  best.triangle = Empty;
-  this->Search(m_Roots[group], point, 0.0, best);
   if (best.triangle == Empty)
   {
     return Nearest{};
@@ -235,50 +325,63 @@ MedialVoxelSheetTree::Find(const Point & point, const Index group, const double 
 bool
 MedialVoxelSheetTree::HasWithin(const Point & point, const Index group, const double within) const
 {
-  Nearest best;
-  best.distance = within * within;
-  best.triangle = Empty;
+  Nearest best{ {}, within * within, Empty };
   if (group < m_Roots.size() && m_Roots[group] != Empty)
   {
-    this->Search(m_Roots[group], point, best.distance, best);
+    this->Search(m_Roots[group], { point, best.distance }, best);
   }
   return best.triangle != Empty;
 }
 
-/** \a best has the square of the distance and the place in the tree. */
 void
-MedialVoxelSheetTree::Search(const Index number, const Point & point, const double enough, Nearest & best) const
+MedialVoxelSheetTree::Search(const Index number, const Query & query, Nearest & best) const
 {
   const Node & node = m_Nodes[number];
-  if (node.count == 0)
+  Lanes        distances2{};
+  for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    const Index  left = number + 1;
-    const double toLeft = GetDistance2ToBox(point, m_Nodes[left]);
-    const double toRight = GetDistance2ToBox(point, m_Nodes[node.first]);
-    const bool   leftFirst = toLeft <= toRight;
-    if (std::min(toLeft, toRight) < best.distance)
-    {
-      this->Search(leftFirst ? left : node.first, point, enough, best);
-    }
-    if (std::max(toLeft, toRight) < best.distance && !(best.distance < enough))
-    {
-      this->Search(leftFirst ? node.first : left, point, enough, best);
-    }
-    return;
+    const Lanes before = node.low[axis] - query.above[axis];
+    const Lanes behind = query.below[axis] - node.high[axis];
+    const Lanes farther = MedialVoxelSelect(before > behind, before, behind);
+    const Lanes outside = MedialVoxelSelect(farther > Lanes{}, farther, Lanes{});
+    distances2 += outside * outside;
   }
-  for (Index place = node.first; place < node.first + node.count; ++place)
+  for (std::size_t visits = 0; visits < ChildrenOfNode; ++visits)
+  {
+    std::size_t child = 0;
+    for (std::size_t k = 1; k < ChildrenOfNode; ++k)
+    {
+      child = distances2[k] < distances2[child] ? k : child;
+    }
+    if (distances2[child] > RoundingOfDistance * std::min(best.distance, MostDistance2) || best.distance < query.enough)
+    {
+      return;
+    }
+    distances2[child] = Infinity;
+    if (node.count[child] == 0)
+    {
+      this->Search(node.first[child], query, best);
+    }
+    else
+    {
+      this->SearchLeaf(node.first[child], node.count[child], query, best);
+    }
+  }
+}
+
+void
+MedialVoxelSheetTree::SearchLeaf(const Index first, const Index count, const Query & query, Nearest & best) const
+{
+  for (Index place = first; place < first + count && !(best.distance < query.enough); ++place)
   {
     const Triangle & corners = m_Triangles[place];
     const Vector     nearest = MedialVoxelNearestOfTriangle(
-      point, { { (*m_Points)[corners[0]], (*m_Points)[corners[1]], (*m_Points)[corners[2]] } });
-    const double distance2 = GetDistance2(point, nearest);
-    if (distance2 < best.distance)
+      query.point, { { (*m_Points)[corners[0]], (*m_Points)[corners[1]], (*m_Points)[corners[2]] } });
+    const double distance2 = GetDistance2(query.point, nearest);
+    if (distance2 < best.distance ||
+        (distance2 == best.distance && best.triangle != Empty && m_Order[place] < m_Order[best.triangle]))
     {
       best = { nearest, distance2, place };
-      if (distance2 < enough)
-      {
-        return;
-      }
     }
   }
 }

@@ -3,6 +3,7 @@
 #ifndef itkMedialVoxelSheetTree_h
 #define itkMedialVoxelSheetTree_h
 
+#include "itkMedialVoxelLanes.h"
 #include "itkMedialVoxelVector3.h"
 
 #include <array>
@@ -20,8 +21,8 @@ MedialVoxelNearestOfTriangle(const MedialVoxelVector3 & point, const std::array<
 /** \class MedialVoxelSheetTree
  * \brief Finds the nearest of many triangles, or segments, in groups that are searched one at a time.
  *
- * A tree of boxes. A segment is a triangle whose last two corners are one. Of several nearest ones it takes one that
- * depends on the point and the content alone.
+ * A tree of boxes, four to a node. A segment is a triangle whose last two corners are one. Of several nearest ones it
+ * takes the one that was given first.
  * \ingroup MedialVoxel
  */
 class MedialVoxelSheetTree
@@ -64,20 +65,36 @@ public:
   HasWithin(const Point & point, Index group, double within) const;
 
 private:
+  static constexpr std::size_t ChildrenOfNode = 4;
+  using Lanes = MedialVoxelLanesOf<float, ChildrenOfNode>;
+
+  /** The boxes of its children side by side. */
   struct Node
   {
-    std::array<float, 3> low;
-    std::array<float, 3> high;
-    Index                first; ///< of its triangles in the order of the tree
-    Index                count; ///< of the triangles of a leaf; 0: the children are the next node and this first one
+    std::array<Lanes, 3>              low;
+    std::array<Lanes, 3>              high;
+    std::array<Index, ChildrenOfNode> first{}; ///< triangle of a leaf in the order of the tree, or the node
+    std::array<Index, ChildrenOfNode> count{}; ///< of the triangles of a leaf; 0: the child is a node
   };
 
-  void
-  Build(Index first, Index count, const std::vector<std::array<float, 3>> & centers);
+  class Builder;
 
-  /** Ends at the first one whose squared distance is below \a enough. */
+  struct Query
+  {
+    Point                point;
+    std::array<Lanes, 3> below; ///< the point in single precision, rounded down
+    std::array<Lanes, 3> above;
+    double               enough; ///< a squared distance: the search ends at the first one below it
+
+    Query(const Point & place, double enoughDistance2);
+  };
+
+  /** \a best has the square of the distance and the place in the tree. */
   void
-  Search(Index node, const Point & point, double enough, Nearest & best) const;
+  Search(Index node, const Query & query, Nearest & best) const;
+
+  void
+  SearchLeaf(Index first, Index count, const Query & query, Nearest & best) const;
 
   const std::vector<Point> * m_Points;
   std::vector<Triangle>      m_Triangles; ///< in the order of the tree
