@@ -125,6 +125,24 @@ class WarningTest(ProgramTestCase):
         self.assertEqual(self.warnings(pore, "--smooth", "off")["no_background"]["values"], {"filled_voxels": 1})
         self.assertNotIn("no_background", self.warnings(pore, "--smooth", "off", "--max-pore-size", 0))
 
+    def test_noise_without_a_threshold_is_object(self):
+        # 34 gray values of a background and of a wall; masks, and most label maps, have few values.
+        noise = [3 + (i * 7919) % 17 for i in range(24**3)]
+        scan = [value + 120 if 8 <= i // 24**2 < 14 else value for i, value in enumerate(noise)]
+        found = self.warnings(volumes.Volume((24, 24, 24), scan))
+        self.assertEqual(list(found)[0], "faint_object")
+        self.assertEqual(found["faint_object"]["values"]["object_percent"], 100)
+        self.assertEqual(found["faint_object"]["values"]["faint_percent"], 75)
+        self.assertIn("needs --lower", found["faint_object"]["message"])
+        for others in (["--lower", 100], ["--upper", 100], ["--lower", "otsu"]):
+            self.assertNotIn("faint_object", self.warnings(volumes.Volume((24, 24, 24), scan), *others))
+        layers = volumes.Volume((24, 24, 24), [1 + i % 24 for i in range(24**3)])
+        self.assertIn("faint_object", self.warnings(layers))
+        for others in (["--label", 5], ["--labels", "all"]):
+            self.assertNotIn("faint_object", self.warnings(layers, *others))
+        for values in ([value > 100 for value in scan], [value % 16 for value in noise], [7] * 24**3):
+            self.assertNotIn("faint_object", self.warnings(volumes.Volume((24, 24, 24), [int(value) for value in values])))
+
     def test_rods_and_balls_have_no_sheet(self):
         for volume in (square_rod(2), square_rod(16), rod(3), rod(16), ball(8), ball(16)):
             self.assertEqual(list(self.warnings(volume)), ["no_medial_cells"])

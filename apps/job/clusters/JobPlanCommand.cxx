@@ -128,6 +128,7 @@ ExtractOptions
 MeasureVolume(const ExtractOptions & options, Job & job, ProgressSink & sink)
 {
   job.Open(sink);
+  job.CheckValues(sink);
   job.Prepare(sink);
   job.Measure([&sink](double) { ThrowIfStopRequested(sink); });
   ExtractOptions measured = options;

@@ -5,6 +5,7 @@
 #include "JobResult.h"
 #include "Options.h"
 #include "Text.h"
+#include "ValueStatistics.h"
 #include "WarningRules.h"
 
 #include <cstdint>
@@ -108,7 +109,36 @@ const std::vector<Rule<JobOptions, JobResult>> ObjectRules{ { "no_object", Check
                                                             { "no_background", CheckBackground, true },
                                                             { "labels_without_segment", CheckNames } };
 
+/** Noise of a background is other than 0, too. */
+std::optional<WarningText>
+CheckFaint(const ValueStatistics & values)
+{
+  constexpr std::uint64_t mostOfMasks = 16; // different values
+  constexpr double        much = 0.5;
+  if (values.different <= mostOfMasks ||
+      static_cast<double>(values.faint) < much * static_cast<double>(values.otherThanZero))
+  {
+    return std::nullopt;
+  }
+  const double share = static_cast<double>(values.otherThanZero) / static_cast<double>(values.values);
+  const double faint = static_cast<double>(values.faint) / static_cast<double>(values.otherThanZero);
+  return WarningText{
+    "without a threshold all values other than 0 are object, " + FormatShare(share) + " of the slices in the middle; " +
+      FormatShare(faint) + " of these are below " + FormatNumber(*values.otsu) +
+      ", the threshold of Otsu; a scan of gray values needs --lower",
+    { { "object_percent", 100.0 * share }, { "faint_percent", 100.0 * faint }, { "otsu", *values.otsu } }
+  };
+}
+
+const std::vector<Rule<ValueStatistics>> ValueRules{ { "faint_object", CheckFaint } };
+
 } // namespace
+
+void
+ApplyValueRules(std::vector<Warning> & warnings, const ValueStatistics & values)
+{
+  Apply(ValueRules, warnings, values);
+}
 
 void
 ApplyObjectRules(std::vector<Warning> & warnings, const JobOptions & options, const JobResult & result)
@@ -124,6 +154,7 @@ ApplyObjectRules(std::vector<Warning> & warnings, const JobOptions & options, co
 void
 AddObjectCodes(std::vector<std::string> & codes)
 {
+  AddCodes(ValueRules, codes);
   AddCodes(ObjectRules, codes);
 }
 

@@ -13,6 +13,11 @@ namespace medialvoxel
 
 struct JobOptions;
 struct JobResult;
+struct ValueStatistics;
+
+/** Warns before a run without thresholds of values that are no mask. */
+void
+ApplyValueRules(std::vector<Warning> & warnings, const ValueStatistics & values);
 
 /** Warns of the object of a run by its counts.
  * \throw JobError Usage for a label that no voxel has: a mistake, no empty object */

@@ -6,6 +6,7 @@
 #include "LabelMap.h"
 #include "Leftovers.h"
 #include "ObjectRule.h"
+#include "ObjectWarnings.h"
 #include "OptionChecks.h"
 #include "OutputChecks.h"
 #include "Outputs.h"
@@ -299,6 +300,19 @@ Job::Open(const ProgressSink & sink)
   MeasureThreshold(options, result.input, sink);
   std::visit([](const auto & own) { CheckOptions(own); }, command); // with the threshold of Otsu
   result.otsu = options.lowerIsOtsu ? options.lowerThreshold : std::nullopt;
+}
+
+void
+Job::CheckValues(ProgressSink & sink)
+{
+  const auto walls = this->GetWalls();
+  if (options.lowerThreshold || options.upperThreshold || options.label || (walls && walls->labels))
+  {
+    return;
+  }
+  const std::size_t told = result.warnings.size();
+  ApplyValueRules(result.warnings, MeasureSomeValues(result.input));
+  TellWarnings(sink, result.warnings, told);
 }
 
 std::unique_ptr<InputVolume>

@@ -67,6 +67,10 @@ struct Job
   void
   Open(const ProgressSink & sink);
 
+  /** Warns of values that are no mask, where no threshold makes one of them. After Open(). */
+  void
+  CheckValues(ProgressSink & sink);
+
   /** Opens the volume and reads what must be known of all of it: the objects, noise, and thick walls, for which the
    * maximum thickness rises. \throw StoppedBySignal when the sink asks to stop; as InputVolume::Prepare() */
   void

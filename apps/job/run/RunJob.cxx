@@ -65,6 +65,7 @@ RunJob(const TOptions & options, ProgressSink & sink)
   if (!options.dryRun)
   {
     job.Open(sink);
+    job.CheckValues(sink);
     WithPipelineErrors([&] {
       sink.Start("medialvoxel", job.GetTitle());
       const StopListener listener(&sink);

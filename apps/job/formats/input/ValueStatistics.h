@@ -44,6 +44,10 @@ struct ValueStatistics
   /** Otsu's threshold, without the padding: it separates two classes, itself in the upper one, with the largest
    * variance between them. The lowest one of several. Nothing when all values are the same. */
   std::optional<double> otsu;
+
+  std::uint64_t different{ 0 };     ///< values, or bins of them, without the padding
+  std::uint64_t otherThanZero{ 0 }; ///< values, without the padding
+  std::uint64_t faint{ 0 };         ///< of these, values below Otsu's threshold
 };
 
 /** Values that are no measurement, from and to. */

@@ -6,6 +6,9 @@
 #include "SliceSeries.h"
 #include "VolumeSource.h"
 
+#include <algorithm>
+#include <cstdint>
+
 namespace medialvoxel
 {
 namespace
@@ -25,17 +28,37 @@ ListPaddings(const VolumeHeader & header)
   return paddings;
 }
 
+/** Resampling is for the object; the statistics are of the stored values. */
+ValueStatistics
+MeasureBox(const VolumeHeader & stored, const itk::MedialVoxelBox & box, const ReadObserver & observer)
+{
+  return WithPipelineErrors([&] {
+    VolumeSource source(stored, Interpolation::Nearest, 0);
+    return MeasureValues(source, box, ListPaddings(stored), observer);
+  });
+}
+
 } // namespace
 
 ValueStatistics
 MeasureValues(const VolumeHeader & header, const ReadObserver & observer)
 {
-  return WithPipelineErrors([&] {
-    // Resampling is for the object; the statistics are of the stored values.
-    const VolumeHeader & stored = header.GetStored();
-    VolumeSource         source(stored, Interpolation::Nearest, 0);
-    return MeasureValues(source, stored.geometry.GetVoxelBox(), ListPaddings(stored), observer);
-  });
+  return MeasureBox(header.GetStored(), header.GetStored().geometry.GetVoxelBox(), observer);
+}
+
+ValueStatistics
+MeasureSomeValues(const VolumeHeader & header)
+{
+  constexpr std::int64_t most = std::int64_t{ 1 } << 22;
+  itk::MedialVoxelBox    box = header.GetStored().geometry.GetVoxelBox();
+  for (const unsigned int axis : { 2u, 1u })
+  {
+    const std::int64_t all = box.upper[axis];
+    const std::int64_t some = std::clamp<std::int64_t>(most / (box.NumberOfVoxels() / all), 1, all);
+    box.lower[axis] = (all - some) / 2;
+    box.upper[axis] = box.lower[axis] + some;
+  }
+  return MeasureBox(header.GetStored(), box, [](double) {});
 }
 
 void

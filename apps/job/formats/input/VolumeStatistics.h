@@ -14,6 +14,10 @@ namespace medialvoxel
 ValueStatistics
 MeasureValues(const VolumeHeader & header, const ReadObserver & observer);
 
+/** The same of slices in the middle, which takes no time. */
+ValueStatistics
+MeasureSomeValues(const VolumeHeader & header);
+
 /** Sets the lower threshold if it is to be measured and is not set.
  * \throw JobError Refused when all values are the same; Usage when the upper threshold is below
  * \throw StoppedBySignal when the sink asks to stop */
