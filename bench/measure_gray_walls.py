@@ -87,11 +87,15 @@ def make_input(arguments, name, scratch):
     return [volume, "--raw-size", size, "--raw-type", kind, "--lower", threshold, *words]
 
 
-def run_way(program, way, words, scratch):
+def make_command(program, way, words, scratch):
     command = [program]
     for word in WAYS[way]:
         command += words if word == "IN" else [word.replace("FILE", str(scratch / "out"))]
-    seconds = common.run([str(word) for word in command])[1]["cpu_seconds"]
+    return [str(word) for word in command]
+
+
+def run_way(program, way, words, scratch):
+    seconds = common.run(make_command(program, way, words, scratch))[1]["cpu_seconds"]
     shutil.rmtree(scratch / "out-job", ignore_errors=True)
     return seconds
 

@@ -4,8 +4,9 @@
 """Which work an extraction spends its time on, by samples of a profiler, now and with an earlier build; writes one JSON file.
 
 Runs with one thread: a fixed thickness, the automatic one, and a mesh; on the side frame also a large thickness, and the
-distances of all voxels; on random blobs the automatic thickness alone. A sample counts for the function that runs, and
-functions are grouped by their names. Both builds run in turn, round after round, and their labels are compared.
+distances of all voxels; on random blobs the automatic thickness alone; on real volumes, with --data, a thickness map on
+gray values and a mesh for a solver. A sample counts for the function that runs, and
+functions are grouped by their names. Both builds run in turn, round after round, and labels of phantoms are compared.
 Needs perf of Linux.
 
 Usage: bench/measure_profile.py BUILD [--before BUILD] [--data FOLDER] [--output results/profile.json]
@@ -24,6 +25,7 @@ import tempfile
 
 import compare_peers
 import measure_automatic
+import measure_gray_walls
 import run_benchmarks as common
 
 SAMPLES_PER_SECOND = 999
@@ -44,6 +46,20 @@ GROUPS = {
     "window: bits, boundary, specks, roughness": r"MovingWindow|SmallComponents|ComponentChange|ComputeBoundary|PackRow|Roughness|MedialVoxelBits::",
     "other": r"",
 }
+# Of walls on gray values and of meshes for solvers, before the others.
+WALL_GROUPS = {
+    "system: reading, writing, pages": GROUPS["system: reading, writing, pages"],
+    "survey of the scan": r"BlockLook|ScanSurvey|ScanSamples|Dilat",
+    "normals of walls": r"GrayNormals|FindGradients|AddRows",
+    "samples, fits and crossings of walls": r"Gray|WallFit\b|FitSums|PutSamples|SumOf|RefineWalls|WallPoints",
+    "nodes on walls": r"WallFitting",
+    "nearest triangles": r"SheetTree|SheetDistances|NearestOfTriangle",
+    "coarsening": r"Decimation|SheetLines|SheetSizes|CoarsenPart|SheetCoarsening",
+    "remeshing": r"Remesh|TriangleComplex|SheetWitnesses|ComplexDivision|Jacobian|RimExten|RimLines",
+    "elements": r"ShellElement|ElementSmoothing|SmoothElements|Pairing|LoneTriangle|ShellQuality|WarpageOf|Aspect",
+    "mesh": GROUPS["mesh"],
+    "labels, and other": r"",
+}
 # Thickness and further options, as in measure_automatic.py.
 OPTIONS = measure_automatic.CASES["side-frame"].ways
 WAYS = {"thickness 3": OPTIONS["fixed"], "automatic": OPTIONS["automatic"], "with a mesh": OPTIONS["with a mesh"]}
@@ -54,6 +70,8 @@ CASES = {
     "engine": WAYS,
     "blobs": {"automatic": OPTIONS["automatic"]},
 }
+# Of measure_gray_walls.py
+WALL_WAYS = {"thickness map": "fits", "solver mesh": "solver mesh"}
 
 
 def parse_arguments():
@@ -63,16 +81,17 @@ def parse_arguments():
     parser.add_argument("--before-commit", default="unknown", help="its revision, for the file")
     parser.add_argument("--data", type=pathlib.Path, help="folder of the real volumes; default: leave them out")
     parser.add_argument("--rounds", type=int, default=3, help="default 3")
-    parser.add_argument("--cases", nargs="+", choices=CASES, default=list(CASES), help="default: all")
+    cases = [*CASES, *(f"walls of {name}" for name in measure_gray_walls.REAL)]
+    parser.add_argument("--cases", nargs="+", choices=cases, default=cases, help="default: all")
     parser.add_argument("--output", type=pathlib.Path, default=common.BENCH / "results" / "profile.json")
     return parser.parse_args()
 
 
-def group_of(function):
-    return next(name for name, pattern in GROUPS.items() if re.search(pattern, function))
+def group_of(function, groups):
+    return next(name for name, pattern in groups.items() if re.search(pattern, function))
 
 
-def count_samples(command, scratch):
+def count_samples(command, scratch, groups=GROUPS):
     """Samples by group of one run."""
     samples = scratch / "perf.data"
     record = ["perf", "record", "--quiet", "--output", samples, "--event", "cpu-clock", "--freq", SAMPLES_PER_SECOND, "--"]
@@ -83,21 +102,38 @@ def count_samples(command, scratch):
     for line in text.splitlines():
         number, separator, function = line.partition("\t")
         if separator and number.strip().isdigit():
-            counts[group_of(function.strip())] += int(number)
+            counts[group_of(function.strip(), groups)] += int(number)
     return counts
 
 
-def seconds_of(rounds):
+def seconds_of(rounds, groups=GROUPS):
     """CPU seconds of each group, medians of the rounds."""
     return {
-        name: round(statistics.median(counts[name] for counts in rounds) / SAMPLES_PER_SECOND, 4) for name in GROUPS
+        name: round(statistics.median(counts[name] for counts in rounds) / SAMPLES_PER_SECOND, 4) for name in groups
     }
+
+
+def list_builds(arguments):
+    return {"now": arguments.build} | ({"before": arguments.before} if arguments.before else {})
+
+
+def measure_walls(arguments, scratch, name):
+    words = measure_gray_walls.make_input(arguments, name, scratch)
+    result = {}
+    for way, known in WALL_WAYS.items():
+        rounds = {which: [] for which in list_builds(arguments)}
+        for _ in range(arguments.rounds):
+            for which, build in list_builds(arguments).items():
+                command = measure_gray_walls.make_command(common.find_program(build, "medialvoxel"), known, words, scratch)
+                rounds[which].append(count_samples(command, scratch, WALL_GROUPS))
+        result[way] = {which: seconds_of(counts, WALL_GROUPS) for which, counts in rounds.items()}
+    return {"source": measure_gray_walls.REAL[name][0], "seconds": result}
 
 
 def measure(arguments, scratch, name):
     volume, size = measure_automatic.make_volume(arguments, scratch, name)
     case = measure_automatic.CASES[name]
-    builds = {"now": arguments.build} | ({"before": arguments.before} if arguments.before else {})
+    builds = list_builds(arguments)
     result, labels = {}, {}
     for way, options in CASES[name].items():
         words = [str(word).replace("FILE", str(scratch / "extra")) for word in options]
@@ -123,9 +159,13 @@ def main():
         sys.exit("measure_profile.py: needs perf (Debian: linux-perf)")
     document = common.describe_run(arguments.build, rounds=arguments.rounds, threads=1)
     document["before"] = arguments.before_commit
-    names = [name for name in arguments.cases if arguments.data or "," in measure_automatic.CASES[name].source]
+    phantoms = [name for name in arguments.cases if name in CASES]
+    phantoms = [name for name in phantoms if arguments.data or "," in measure_automatic.CASES[name].source]
+    walls = [name for name in measure_gray_walls.REAL if arguments.data and f"walls of {name}" in arguments.cases]
     with tempfile.TemporaryDirectory() as folder:
-        document["cases"] = {name: measure(arguments, pathlib.Path(folder), name) for name in names}
+        scratch = pathlib.Path(folder)
+        document["cases"] = {name: measure(arguments, scratch, name) for name in phantoms}
+        document["cases"] |= {f"walls of {name}": measure_walls(arguments, scratch, name) for name in walls}
     arguments.output.write_text(json.dumps(document, indent=2) + "\n", encoding="utf-8")
     print(arguments.output)
 

@@ -166,6 +166,21 @@ def gray_walls(document):
     return ["CPU s", *(case["volume"] for case in cases)], [row for row in rows if any(row[1:])]
 
 
+def wall_profile(document):
+    """Before and now, without groups that no run needs."""
+    runs = {
+        f"{way}, {name.removeprefix('walls of ')}": seconds
+        for name, case in document["cases"].items()
+        for way, seconds in case["seconds"].items()
+    }
+    runs = dict(sorted(runs.items(), key=lambda run: run[0].partition(",")[0] != "thickness map"))
+    rows = []
+    for group in next(iter(runs.values()))["now"]:
+        row = [(run["before"][group], run["now"][group]) for run in runs.values()]
+        rows.append([group, *(f"{before:.2f}, {now:.2f}" if max(before, now) >= 0.005 else "" for before, now in row)])
+    return ["CPU s, before and now", *runs], rows
+
+
 def threads(document):
     volumes = document["volumes"]
     tasks = next(iter(volumes.values()))
@@ -206,6 +221,7 @@ TABLES = {
     "threads": ("tiles.json", threads),
     "automatic": ("automatic.json", automatic),
     "gray-walls": ("gray-walls.json", gray_walls),
+    "wall-profile": ("wall-profile.json", wall_profile),
 }
 
 
