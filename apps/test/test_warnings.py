@@ -140,6 +140,11 @@ class WarningTest(ProgramTestCase):
         self.assertIn("faint_object", self.warnings(layers))
         for others in (["--label", 5], ["--labels", "all"]):
             self.assertNotIn("faint_object", self.warnings(layers, *others))
+        # A gray object that was cut out of its scan; of float, no bin of values begins at 0.
+        cut_out = [value if value > 100 else 0 for value in scan]
+        self.assertNotIn("faint_object", self.warnings(volumes.Volume((24, 24, 24), cut_out)))
+        shares = volumes.Volume((24, 24, 24), [value / 150 or -0.1 * (i == 0) for i, value in enumerate(cut_out)], None, "float32")
+        self.assertNotIn("faint_object", self.warnings(shares))
         for values in ([value > 100 for value in scan], [value % 16 for value in noise], [7] * 24**3):
             self.assertNotIn("faint_object", self.warnings(volumes.Volume((24, 24, 24), [int(value) for value in values])))
 

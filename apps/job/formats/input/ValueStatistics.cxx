@@ -244,9 +244,11 @@ Summarize(const ValueRange<TValue> & range, const ValueBins<TValue> & bins, cons
   }
   const std::optional<std::size_t> bin = FindOtsuBin(counts).last;
   statistics.otsu = bin ? std::optional<double>(bins.GetBegin(*bin + 1)) : std::nullopt;
+  const bool        hasZero = statistics.minimum <= 0.0 && statistics.maximum >= 0.0;
+  const std::size_t zero = hasZero ? bins.GetBinOfZero() : counts.size();
   for (std::size_t place = 0; place < counts.size(); ++place)
   {
-    const std::uint64_t others = bins.GetBegin(place) == 0.0 ? 0 : counts[place];
+    const std::uint64_t others = place == zero ? 0 : counts[place];
     statistics.different += counts[place] > 0 ? 1 : 0;
     statistics.otherThanZero += others;
     statistics.faint += bin && place <= *bin ? others : 0;
