@@ -136,13 +136,11 @@ private:
     {
       const Word inBlock = MedialVoxelBits::RangeMask(firstWord + i, block.lower[0], block.upper[0]);
       const Word object = row(m_Object)[i] & inBlock;
-      const Word inner = object == 0 ? 0 : this->GetInner(first, i);
       Index      voxel = first;
-      for (Word rest = object; rest != 0; rest &= rest - 1)
+      for (Word rest = object == 0 ? 0 : object & ~this->GetInner(first, i); rest != 0; rest &= rest - 1)
       {
         voxel[0] = (firstWord + i) * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(rest);
-        const bool isInner = (inner & rest & (~rest + 1)) != 0;
-        this->TakeObject(voxel, hashOf(voxel), isInner, samples);
+        this->TakeOuter(voxel, hashOf(voxel), samples);
       }
       this->TakeMaterial(first, firstWord + i, object, hashOf, samples.material);
       for (Word rest = row(m_Around)[i] & ~row(m_Near)[i] & inBlock; rest != 0; rest &= rest - 1)
@@ -172,14 +170,15 @@ private:
     return inner;
   }
 
+  /** Of an object voxel with background beside it. */
   void
-  TakeObject(const Index & voxel, const std::uint64_t hash, const bool isInner, Samples & samples)
+  TakeOuter(const Index & voxel, const std::uint64_t hash, Samples & samples)
   {
-    if (!isInner && hash % ObjectVoxelsPerLook == 0)
+    if (hash % ObjectVoxelsPerLook == 0)
     {
       this->CountFaces(voxel, samples.faces);
     }
-    if (!isInner && samples.surfaces.Wants(hash))
+    if (samples.surfaces.Wants(hash))
     {
       this->TakeSurface(voxel, hash, samples);
     }
