@@ -29,7 +29,7 @@ NumberWalls(const MedialVoxelSheetGraph & graph, const MedialVoxelWallPieces & p
   result.wallOf.assign(areasOfPoints.size(), none);
   for (Index point = 0; point < areasOfPoints.size(); ++point)
   {
-    if (graph.GetNode(point) == none)
+    if (graph.GetNode(point) == none || pieces.GetWall(graph.GetNode(point)) == none)
     {
       continue;
     }

@@ -32,9 +32,48 @@ constexpr double StraightCosine = -0.70710678118654752;
 constexpr double LeastShare = 1.0 / 12.0;
 constexpr double RadiusOfShare = 0.5;
 
-/** The direction of a wall is that from its part near a node to its part around that, within these radii. */
+/** A wall has its direction where the seam, which is round, is behind: between these radii around a node. */
 constexpr double RadiusOfNear = 0.75;
 constexpr double RadiusOfDirection = 1.5;
+
+/** \class NearWall
+ * \brief A wall around a node of a seam; places are from that node. */
+class NearWall
+{
+public:
+  void
+  Add(const Point & place, const double distance, const double area)
+  {
+    (distance <= RadiusOfNear ? m_Near : m_Far).Add(place, area);
+    m_Share += distance <= RadiusOfShare ? area : 0.0;
+  }
+
+  double
+  GetShare() const
+  {
+    return m_Share;
+  }
+
+  /** Of its plane, away from the seam and at right angles to it. */
+  Point
+  GetDirection(const Point & seam) const
+  {
+    const Point away =
+      m_Far.GetWeight() > 0.0 ? MedialVoxelSubtract(m_Far.GetMiddle(), m_Near.GetMiddle()) : m_Near.GetMiddle();
+    const Point  along = MedialVoxelCross(seam, m_Far.FindAxes().directions[0]);
+    const double sine = MedialVoxelNorm(along);
+    if (sine < 0.5)
+    {
+      return MedialVoxelAddScaled(away, seam, -MedialVoxelDot(away, seam));
+    }
+    return MedialVoxelAddScaled({}, along, MedialVoxelDot(along, away) < 0.0 ? -1.0 : 1.0);
+  }
+
+private:
+  double            m_Share{ 0 };
+  MedialVoxelSpread m_Near;
+  MedialVoxelSpread m_Far;
+};
 
 } // namespace
 
@@ -80,29 +119,40 @@ MedialVoxelWallPieces::FindCores()
     }
     isFlat[node] = spread.IsWithin(FlatWithin * radius) ? 1 : 0;
   });
-  MedialVoxelDisjointSets cores(count);
-  MedialVoxelDisjointSets parts(count);
+  // Without its outline, no core leaks through a gap of a seam that noise has left.
+  std::vector<std::uint8_t> isCore(count);
+  MedialVoxelDisjointSets   cores(count);
+  MedialVoxelDisjointSets   parts(count);
+  for (Index node = 0; node < count; ++node)
+  {
+    isCore[node] = isFlat[node];
+    m_Graph.ForEachNeighbor(node, [&](const Index other) {
+      parts.Join(node, other);
+      isCore[node] = isFlat[other] == 0 ? 0 : isCore[node];
+    });
+  }
   for (Index node = 0; node < count; ++node)
   {
     m_Graph.ForEachNeighbor(node, [&](const Index other) {
-      parts.Join(node, other);
-      if (isFlat[node] != 0 && isFlat[other] != 0)
+      if (isCore[node] != 0 && isCore[other] != 0)
       {
         cores.Join(node, other);
       }
     });
   }
-  std::vector<double> sizes(count); // of cores, in squares of the radius
+  std::vector<double> coreSizes(count); // in squares of the radius
+  std::vector<double> partSizes(count);
   for (Index node = 0; node < count; ++node)
   {
     const double radius = m_Graph.GetRadius(node);
-    sizes[cores.Find(node)] += isFlat[node] != 0 ? m_Graph.GetArea(node) / (radius * radius) : 0.0;
+    const double size = m_Graph.GetArea(node) / (radius * radius);
+    coreSizes[cores.Find(node)] += isCore[node] != 0 ? size : 0.0;
+    partSizes[parts.Find(node)] += size;
   }
   std::vector<std::uint8_t> hasCore(count);
-  const auto                isCore = [&](const Index node) { return sizes[cores.Find(node)] >= SmallestCore; };
   for (Index node = 0; node < count; ++node)
   {
-    if (isFlat[node] != 0 && isCore(node))
+    if (isCore[node] != 0 && coreSizes[cores.Find(node)] >= SmallestCore)
     {
       hasCore[parts.Find(node)] = 1;
       m_Walls[node] = cores.Find(node);
@@ -110,9 +160,10 @@ MedialVoxelWallPieces::FindCores()
   }
   for (Index node = 0; node < count; ++node)
   {
-    if (hasCore[parts.Find(node)] == 0)
+    const Index part = parts.Find(node);
+    if (hasCore[part] == 0 && partSizes[part] >= SmallestCore)
     {
-      m_Walls[node] = parts.Find(node);
+      m_Walls[node] = part;
     }
   }
 }
@@ -162,9 +213,7 @@ MedialVoxelWallPieces::FindContacts()
   std::vector<Index> nodes;
   for (Index node = 0; node < m_Walls.size(); ++node)
   {
-    bool touches = false;
-    m_Graph.ForEachNeighbor(node, [&](const Index other) { touches = touches || m_Walls[other] != m_Walls[node]; });
-    if (touches)
+    if (this->IsContact(node))
     {
       nodes.push_back(node);
     }
@@ -175,38 +224,41 @@ MedialVoxelWallPieces::FindContacts()
   });
 }
 
+bool
+MedialVoxelWallPieces::IsContact(const Index node) const
+{
+  bool touches = false;
+  m_Graph.ForEachNeighbor(node, [&](const Index other) { touches = touches || m_Walls[other] != m_Walls[node]; });
+  return touches;
+}
+
 MedialVoxelWallPieces::Contact
 MedialVoxelWallPieces::Describe(const Index node, const std::vector<Index> & disk) const
 {
-  struct Share
-  {
-    double            area{ 0 };
-    MedialVoxelSpread near;
-    MedialVoxelSpread far;
-  };
-  std::map<Index, Share> shares;
-  const double           radius = m_Graph.GetRadius(node);
-  double                 area = 0.0;
+  std::map<Index, NearWall> walls;
+  MedialVoxelSpread         seam;
+  const double              radius = m_Graph.GetRadius(node);
+  double                    area = 0.0;
   for (const Index other : disk)
   {
-    const Point  offset = MedialVoxelSubtract(m_Graph.GetPlace(other), m_Graph.GetPlace(node));
-    const double distance = MedialVoxelNorm(offset) / radius;
+    const Point  place = MedialVoxelSubtract(m_Graph.GetPlace(other), m_Graph.GetPlace(node));
+    const double distance = MedialVoxelNorm(place) / radius;
     const double weight = m_Graph.GetArea(other);
-    Share &      share = shares[m_Walls[other]];
-    (distance <= RadiusOfNear ? share.near : share.far).Add(offset, weight);
-    share.area += distance <= RadiusOfShare ? weight : 0.0;
+    walls[m_Walls[other]].Add(place, distance, weight);
     area += distance <= RadiusOfShare ? weight : 0.0;
+    if (this->IsContact(other))
+    {
+      seam.Add(place, weight);
+    }
   }
   Contact            contact{ node, {}, {} };
   std::vector<Point> directions;
-  for (const auto & [wall, share] : shares)
+  for (const auto & [wall, near] : walls)
   {
-    if (share.area >= LeastShare * area)
+    if (near.GetShare() >= LeastShare * area)
     {
-      const bool reaches = share.far.GetWeight() > 0.0;
       contact.walls.push_back(wall);
-      directions.push_back(reaches ? MedialVoxelSubtract(share.far.GetMiddle(), share.near.GetMiddle())
-                                   : share.near.GetMiddle());
+      directions.push_back(near.GetDirection(seam.FindAxes().directions[2]));
     }
   }
   for (std::size_t first = 0; first < directions.size(); ++first)
@@ -255,7 +307,7 @@ MedialVoxelWallPieces::JoinStraightOnes()
   }
   for (Index & wall : m_Walls)
   {
-    wall = joined.Find(wall);
+    wall = wall == None ? None : joined.Find(wall);
   }
   return joins;
 }

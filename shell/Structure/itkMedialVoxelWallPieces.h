@@ -33,7 +33,7 @@ public:
 
   MedialVoxelWallPieces(const MedialVoxelSheetGraph & graph, const MedialVoxelRunTasks & runTasks);
 
-  /** Of a node, any numbers below the number of nodes. */
+  /** Of a node, any numbers below the number of nodes; None: it is of no wall. */
   Index
   GetWall(const Index node) const
   {
@@ -64,6 +64,9 @@ private:
 
   bool
   JoinStraightOnes();
+
+  bool
+  IsContact(Index node) const;
 
   Contact
   Describe(Index node, const std::vector<Index> & disk) const;
