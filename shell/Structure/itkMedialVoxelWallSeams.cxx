@@ -21,6 +21,9 @@ using Point = MedialVoxelVector3;
 /** Walls that meet no farther from their middle than so many radii meet in a point. */
 constexpr double RadiiOfPoint = 1.0;
 
+/** So far from each other contacts are of one line. */
+constexpr double RadiiOfLine = 0.5;
+
 constexpr double DegreesPerRadian = 57.295779513082321;
 
 /** \class Seams
@@ -57,13 +60,19 @@ public:
     const std::vector<bool> isPoint = this->FindPoints(lines);
     std::vector<Set>        sets(count);
     std::vector<Index>      front;
+    std::vector<bool>       isOfLine(count);
     for (Index contact = 0; contact < count; ++contact)
     {
       if (m_Contacts[contact].walls.size() > 1 && !isPoint[lines.Find(contact)])
       {
-        sets[contact] = m_Contacts[contact].walls;
+        isOfLine[contact] = true;
         front.push_back(contact);
       }
+    }
+    MedialVoxelSheetDisk disk(m_Graph);
+    for (const Index contact : front)
+    {
+      sets[contact] = this->FindLargestSet(contact, isOfLine, disk);
     }
     this->Spread(std::move(front), sets);
     for (Index contact = 0; contact < count; ++contact)
@@ -109,6 +118,25 @@ private:
       isPoint[line] = isPoint[line] && MedialVoxelDot(offset, offset) <= limit * limit;
     }
     return isPoint;
+  }
+
+  /** The walls of a contact, or more that meet on a line beside it: at a slanted wall those on the one side are few. */
+  const Set &
+  FindLargestSet(const Index contact, const std::vector<bool> & isOfLine, MedialVoxelSheetDisk & disk) const
+  {
+    const Index node = m_Contacts[contact].node;
+    const Set * largest = &m_Contacts[contact].walls;
+    for (const Index other : disk.Find(node, RadiiOfLine * m_Graph.GetRadius(node)))
+    {
+      const Index beside = m_ContactOf[other];
+      if (beside != MedialVoxelSheetGraph::None && isOfLine[beside])
+      {
+        const Set & walls = m_Contacts[beside].walls;
+        const bool  isMore = walls.size() > largest->size();
+        largest = isMore && std::includes(walls.begin(), walls.end(), largest->begin(), largest->end()) ? &walls : largest;
+      }
+    }
+    return *largest;
   }
 
   void

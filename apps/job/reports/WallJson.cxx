@@ -64,10 +64,10 @@ JoinNumbers(const std::vector<TNumber> & numbers)
 Json
 MakeWallsJson(const itk::MedialVoxelSheetWalls & walls)
 {
-  return { { "number", walls.walls.size() },
-           { "seams", walls.seams.size() },
-           { "largest", ListRows(walls.walls) },
-           { "longest_seams", ListRows(walls.seams) } };
+  return { { "number_of_walls", walls.walls.size() },
+           { "number_of_seams", walls.seams.size() },
+           { "walls", ListRows(walls.walls) },
+           { "seams", ListRows(walls.seams) } };
 }
 
 std::string

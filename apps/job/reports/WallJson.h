@@ -12,7 +12,7 @@
 namespace medialvoxel
 {
 
-/** For a report: numbers of walls and seams, and the largest walls and the longest seams. */
+/** For a report: numbers of walls and seams, and the first ones of both. */
 Json
 MakeWallsJson(const itk::MedialVoxelSheetWalls & walls);
 
