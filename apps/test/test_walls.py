@@ -85,7 +85,7 @@ class WallsTest(ProgramTestCase):
         return self.rows("w.csv"), self.rows("s.csv")
 
     def check(self, volume, expected, what):
-        volumes.write_meta_image(self.folder / "in.mha", volume)
+        volumes.write_meta(self.folder / "in.mha", volume)
         walls, seams = self.walls()
         self.assertEqual((len(walls), len(seams)), expected, what)
         return walls, seams
@@ -126,7 +126,7 @@ class WallsTest(ProgramTestCase):
     def test_any_run_has_the_same_bytes(self):
         volume = part(beam, 25, 0.05)
         volume.spacing = (0.5, 0.5, 0.5)
-        volumes.write_meta_image(self.folder / "in.mha", volume)
+        volumes.write_meta(self.folder / "in.mha", volume)
         self.walls()
         names = ("w.mha", "w.csv", "s.csv")
         known = [(self.folder / name).read_bytes() for name in names]
@@ -139,13 +139,15 @@ class WallsTest(ProgramTestCase):
         self.assertEqual((self.folder / "alone.csv").read_bytes(), known[1])
 
     def test_nothing_has_no_walls(self):
-        walls, seams = self.check(part(lambda x, y, z: False), (0, 0), "nothing")
-        self.assertEqual((walls, seams), ([], []))
+        volumes.write_meta(self.folder / "in.mha", part(lambda x, y, z: False))
+        self.run_program("extract", "in.mha", *OUTPUTS, "--lower", "1", "--quiet")
+        self.report = json.loads((self.folder / "r.json").read_text())["walls"]
+        self.assertEqual((self.rows("w.csv"), self.rows("s.csv")), ([], []))
         self.assertEqual(self.report, {"number_of_walls": 0, "number_of_seams": 0, "walls": [], "seams": []})
         self.assertFalse(any(volumes.read_data(self.folder / "w.mha")))
 
     def test_errors(self):
-        volumes.write_meta_image(self.folder / "in.mha", part(tee))
+        volumes.write_meta(self.folder / "in.mha", part(tee))
         for words, arguments in (
             (["labels of several objects", "walls"], ("--walls", "w.mha", "--labels", "all")),
             (["w.txt", "table of walls", ".csv"], ("--wall-table", "w.txt")),
@@ -154,7 +156,7 @@ class WallsTest(ProgramTestCase):
         ):
             self.assert_fails(USAGE, words, "extract", "in.mha", *arguments)
         self.assert_fails(REFUSED, ["walls", "clusters"], "plan", "in.mha", "o.mha", "job", "--walls", "w.mha")
-        volumes.write_meta_image(self.folder / "flat.mha", volumes.Volume((9, 9), [1] * 81))
+        volumes.write_meta(self.folder / "flat.mha", volumes.Volume((9, 9), [1] * 81))
         self.assert_fails(USAGE, ["2 dimensions", "sheet of walls"], "extract", "flat.mha", "--walls", "w.mha")
 
 
