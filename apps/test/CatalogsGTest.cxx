@@ -103,9 +103,10 @@ CheckListing()
     const bool isOfVoxels = volume.role == "local_thickness" || volume.role == "distance" || volume.role == "vectors";
     EXPECT_EQ(volume.geometry.origin.front(), isOfVoxels ? 0.0 : 0.5) << volume.role;
     EXPECT_EQ(volume.layout.components, volume.role == "vectors" ? 3 : 1) << volume.role;
-    EXPECT_EQ(volume.layout.pixelType, volume.role == "walls" ? PixelType::UInt32
-                                       : isOfLabels             ? PixelType::UInt8
-                                                                : PixelType::Float32)
+    EXPECT_EQ(volume.layout.pixelType,
+              volume.role == "walls" ? PixelType::UInt32
+              : isOfLabels           ? PixelType::UInt8
+                                     : PixelType::Float32)
       << volume.role;
   }
   EXPECT_EQ(writers.size(), written) << "two volumes are written the same way";

@@ -42,7 +42,7 @@ FillThickness(const MedialVoxelSheet & sheet, const std::vector<std::array<Index
   while (unknown > 0)
   {
     std::map<Index, std::pair<double, unsigned>> found;
-    const auto isClosed = [&](const std::array<Index, 2> & side) {
+    const auto                                   isClosed = [&](const std::array<Index, 2> & side) {
       return thickness[side[0]] > 0.0F && thickness[side[1]] > 0.0F;
     };
     open.erase(std::remove_if(open.begin(), open.end(), isClosed), open.end());
@@ -135,15 +135,13 @@ MedialVoxelSheetGraph::FindRadii(const MedialVoxelSheet & sheet, const Joints & 
   const auto         least = static_cast<float>(FewestSides * m_MeanSide);
   for (float & radius : radii)
   {
-    radius = std::max(static_cast<float>(Thicknesses) * radius, least);
+    radius = std::max(radius, least);
   }
   return radii;
 }
 
 void
-MedialVoxelSheetGraph::MakeNodes(const MedialVoxelSheet &   sheet,
-                                 const Joints &             sides,
-                                 const std::vector<float> & radii)
+MedialVoxelSheetGraph::MakeNodes(const MedialVoxelSheet & sheet, const Joints & sides, const std::vector<float> & radii)
 {
   // The side of the cube of a point is a power of two of sides of triangles; the first one stands for the point alone.
   const auto cubeOf = [&](const Index point) {

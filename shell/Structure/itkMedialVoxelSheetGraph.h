@@ -11,8 +11,8 @@ namespace itk
 /** \class MedialVoxelSheetGraph
  * \brief A sheet as nodes that are joined along it: pieces that are small against the thickness of the wall.
  *
- * Each node has a radius, Thicknesses times the thickness of the wall and at least FewestSides sides of triangles. A
- * node is a point of the sheet or, where the radius has many sides, the points in a cube that the sheet joins there.
+ * Each node has a radius: the thickness of the wall, and at least FewestSides sides of triangles. A node is a point of
+ * the sheet or, where the radius has many sides, the points in a cube that the sheet joins there.
  * \ingroup MedialVoxel
  */
 class MedialVoxelSheetGraph
@@ -22,7 +22,6 @@ public:
   using Point = MedialVoxelVector3;
 
   static constexpr Index  None = ~Index{ 0 };
-  static constexpr double Thicknesses = 1.5;
   static constexpr double FewestSides = 4.5;
 
   explicit MedialVoxelSheetGraph(const MedialVoxelSheet & sheet);

@@ -22,8 +22,8 @@ using Index = MedialVoxelSheet::Index;
 void
 NumberWalls(const MedialVoxelSheetGraph & graph, const MedialVoxelWallPieces & pieces, MedialVoxelSheetWalls & result)
 {
-  constexpr Index    none = MedialVoxelSheetGraph::None;
-  std::vector<Index> numbers(graph.GetNumberOfNodes(), none); // in the order of the first points
+  constexpr Index     none = MedialVoxelSheetGraph::None;
+  std::vector<Index>  numbers(graph.GetNumberOfNodes(), none); // in the order of the first points
   std::vector<double> areas;
   const auto &        areasOfPoints = graph.GetAreasOfPoints();
   result.wallOf.assign(areasOfPoints.size(), none);

@@ -48,12 +48,12 @@ struct MedialVoxelSheetWalls
 
 /** Cuts a sheet where it bends sharply or where more than two walls meet.
  *
- * The rule: a point is of a seam where the sheet within 1.5 thicknesses of the wall leaves its plane by more than 0.12
- * of that length; what is left is in pieces, each of which is a wall with the points of seams that are nearest to it,
+ * The rule: a point is of a seam where the sheet within a thickness of the wall leaves its plane by more than 0.12 of
+ * that length; what is left is in pieces, each of which is a wall with the points of seams that are nearest to it,
  * unless it is smaller than a square of a thickness; two walls that meet without a third and turn by less than 45
  * degrees are one.
  *
- * So spurs that reach less than about a thickness make no wall and cut none. The memory is about 250 bytes for each
+ * So spurs that reach less than about a thickness make no wall and cut none. The memory is about 170 bytes for each
  * point of the sheet. */
 MedialVoxelSheetWalls
 MedialVoxelFindWalls(const MedialVoxelSheet & sheet, const MedialVoxelRunTasks & runTasks = MedialVoxelRunInOrder);

@@ -37,8 +37,7 @@ MedialVoxelSpread::GetCovariance() const
   {
     for (unsigned int column = 0; column <= row; ++column)
     {
-      const double value =
-        m_Squares[row][column] / m_Weight - m_Sum[row] / m_Weight * (m_Sum[column] / m_Weight);
+      const double value = m_Squares[row][column] / m_Weight - m_Sum[row] / m_Weight * (m_Sum[column] / m_Weight);
       covariance[row][column] = value;
       covariance[column][row] = value;
     }
@@ -56,9 +55,8 @@ MedialVoxelSpread::IsWithin(const double distance) const
     rest[k][k] -= distance * distance;
   }
   const double minor = rest[0][0] * rest[1][1] - rest[0][1] * rest[1][0];
-  const double determinant =
-    (rest[2][2] * minor - rest[2][1] * (rest[0][0] * rest[1][2] - rest[1][0] * rest[0][2])) +
-    rest[2][0] * (rest[0][1] * rest[1][2] - rest[1][1] * rest[0][2]);
+  const double determinant = (rest[2][2] * minor - rest[2][1] * (rest[0][0] * rest[1][2] - rest[1][0] * rest[0][2])) +
+                             rest[2][0] * (rest[0][1] * rest[1][2] - rest[1][1] * rest[0][2]);
   return !(rest[0][0] > 0.0 && minor > 0.0 && determinant > 0.0);
 }
 

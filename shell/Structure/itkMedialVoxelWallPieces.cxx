@@ -22,8 +22,8 @@ constexpr Index None = MedialVoxelSheetGraph::None;
 /** Distance from a plane, in radii, above which the sheet around a node is of a seam. */
 constexpr double FlatWithin = 0.12;
 
-/** Area of the smallest wall, in squares of the radius: that of a square of a thickness. */
-constexpr double SmallestCore = 0.45;
+/** Area of the smallest wall, in squares of the radius. */
+constexpr double SmallestCore = 1.0;
 
 /** Walls whose angle has a smaller cosine go straight on: they turn by less than 45 degrees. */
 constexpr double StraightCosine = -0.70710678118654752;

@@ -133,7 +133,8 @@ private:
       {
         const Set & walls = m_Contacts[beside].walls;
         const bool  isMore = walls.size() > largest->size();
-        largest = isMore && std::includes(walls.begin(), walls.end(), largest->begin(), largest->end()) ? &walls : largest;
+        largest =
+          isMore && std::includes(walls.begin(), walls.end(), largest->begin(), largest->end()) ? &walls : largest;
       }
     }
     return *largest;
@@ -174,9 +175,9 @@ MeasureLength(const std::vector<Point> & points, const double radius)
 {
   using Cube = std::array<std::int64_t, 3>;
   const auto cubeOf = [radius](const Point & point) {
-    return Cube{ { MedialVoxelFloor(point[0] / radius),
-                   MedialVoxelFloor(point[1] / radius),
-                   MedialVoxelFloor(point[2] / radius) } };
+    return Cube{
+      { MedialVoxelFloor(point[0] / radius), MedialVoxelFloor(point[1] / radius), MedialVoxelFloor(point[2] / radius) }
+    };
   };
   std::map<Cube, std::vector<Point>> cubes;
   for (const Point & point : points)
@@ -215,8 +216,8 @@ MedialVoxelFindSeams(const MedialVoxelSheetGraph & graph,
 {
   struct Line
   {
-    std::vector<Point>                                           points;
-    double                                                       radii{ 0 };
+    std::vector<Point>                                          points;
+    double                                                      radii{ 0 };
     std::map<std::pair<Index, Index>, std::pair<double, Index>> angles; // sum and number
   };
   const auto &           contacts = pieces.GetContacts();

@@ -183,7 +183,7 @@ AddNumbers(std::vector<OptionRow> & rows)
     .Hidden()
     .Help("Number of the wall of each medial cell",
           "32-bit whole numbers on the grid of the labels: 1 is the largest wall, 0 no wall. Walls end where more than "
-          "two meet, and where the sheet turns by more than 45 degrees within 1.5 thicknesses. Not with --labels.")
+          "two meet, and at sharp bends. Not with --labels.")
     .Slicer({ Outputs, "wallsVolume", "Walls", "", SlicerOutput("label"), "output" });
   AddRow(rows, "--wall-table", "FILE", File(&ExtractOptions::wallTableFile))
     .OfJobs(Extractions, Walls)

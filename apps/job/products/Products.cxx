@@ -162,17 +162,16 @@ MakeProducts(const ExtractOptions & options, const VolumeHeader & header)
     products.push_back(MakeDrawnLabels(options, header));
   }
   // Each may use the previous ones.
-  for (const ProductRow * const row :
-       { &MeshRow,
-         &WallRow,
-         &WallTableRow,
-         &SeamTableRow,
-         &StatisticsRow,
-         &PictureRow,
-         &PlaceRow,
-         &PageRow,
-         &ReportRow,
-         &ParameterRow })
+  for (const ProductRow * const row : { &MeshRow,
+                                        &WallRow,
+                                        &WallTableRow,
+                                        &SeamTableRow,
+                                        &StatisticsRow,
+                                        &PictureRow,
+                                        &PlaceRow,
+                                        &PageRow,
+                                        &ReportRow,
+                                        &ParameterRow })
   {
     if (row->IsWanted(options))
     {

@@ -162,8 +162,8 @@ private:
       for (; next < walls.size() && static_cast<std::uint64_t>(m_Sheet->cells[next][2]) == z; ++next)
       {
         const auto &    cell = m_Sheet->cells[next];
-        std::uint32_t & value = slice[static_cast<std::uint64_t>(cell[1]) * geometry.size[0] +
-                                      static_cast<std::uint64_t>(cell[0])];
+        std::uint32_t & value =
+          slice[static_cast<std::uint64_t>(cell[1]) * geometry.size[0] + static_cast<std::uint64_t>(cell[0])];
         value = value == 0 ? walls[next] : std::min(value, walls[next]);
       }
       m_Volume->Write(z * perSlice, perSlice, slice.data());
