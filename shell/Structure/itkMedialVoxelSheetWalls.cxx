@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelSheetWalls.h"
 
-#include "itkMedialVoxelElementary.h"
 #include "itkMedialVoxelSpread.h"
 #include "itkMedialVoxelWallPieces.h"
 #include "itkMedialVoxelWallSeams.h"
