@@ -125,11 +125,7 @@ ListViewRows()
       "topology",
       "{topology.added_cells} cells added; parts {topology.object.parts}, tunnels {topology.object.tunnels}, cavities "
       "{topology.object.cavities}" },
-    { ExtractTable,
-      "walls",
-      "walls",
-      "{walls.number_of_walls} with {walls.number_of_seams} seams[walls.number_of_walls>0?, the largest of area "
-      "{short walls.walls.0.area}]" },
+    { ExtractTable, "walls", "seams", "{walls.number_of_seams}, where {walls.number_of_walls} walls meet or end" },
     { LongTable, "", "pseudo", "[percent.pseudo?{fixed percent.pseudo} %][!percent.pseudo?-]" },
     { LongTable, "", "correct", "[percent.correct?{fixed percent.correct} %][!percent.correct?-]" },
     { SlicerLines, "", "candidateCells", "{counts.candidate_cells}" },
