@@ -42,6 +42,8 @@ struct MedialVoxelSurfaceVertex
   std::array<double, 3> point{};        ///< physical
   double                thickness{ 0 }; ///< of the wall, in physical units
   std::uint16_t         part{ 0 };      ///< of the image, where parts are distinguished
+
+  std::array<std::int32_t, 3> cell{}; ///< its index
 };
 
 /** \struct MedialVoxelSurfaceQuad

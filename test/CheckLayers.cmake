@@ -23,6 +23,7 @@ set(folder_of_itkMedialVoxelValues Foundation)
 set(program
     shell/Isosurface
     shell/Remeshing
+    shell/Structure
     apps/job/system
     apps/job/base
     apps/job/model

@@ -85,7 +85,8 @@ MedialVoxelSurfaceBuilder::Make(Part & part) const
     unsigned int quads = 0;
     for (; end < part.end && cells[end].index == cells[begin].index; ++end)
     {
-      part.vertices.push_back({ slice.points[end], static_cast<double>(cells[end].thickness), cells[end].part });
+      part.vertices.push_back(
+        { slice.points[end], static_cast<double>(cells[end].thickness), cells[end].part, cells[end].index });
       quads |= cells[end].quads;
     }
     for (unsigned int axis = 0; axis < 3; ++axis)

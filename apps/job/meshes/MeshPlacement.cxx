@@ -53,12 +53,18 @@ GetScratchFolder(const JobOptions & options, const std::string & surfaceFile)
 }
 
 void
-CheckMeshInput(const VolumeHeader & header, const std::string & surfaceFile, const char * kind)
+CheckDimension(const VolumeHeader & header, const char * kind)
 {
   if (header.geometry.GetDimension() != 3)
   {
     Fail(ExitStatus::Usage, header.fileName, ": the volume has 2 dimensions; a ", kind, " needs 3");
   }
+}
+
+void
+CheckMeshInput(const VolumeHeader & header, const std::string & surfaceFile, const char * kind)
+{
+  CheckDimension(header, kind);
   if (!HoldsDouble(GetMeshFormat(surfaceFile)) && GetPrecision(header.geometry) == MeshPrecision::Double)
   {
     const auto & spacing = header.geometry.spacing;

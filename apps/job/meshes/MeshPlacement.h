@@ -29,6 +29,11 @@ GetPrecision(const VolumeGeometry & geometry);
 std::filesystem::path
 GetScratchFolder(const JobOptions & options, const std::string & surfaceFile);
 
+/** \throw JobError Usage when the volume has 2 dimensions
+ * \param kind what needs 3 */
+void
+CheckDimension(const VolumeHeader & header, const char * kind);
+
 /** \throw JobError Usage for a volume that is not 3-D, which has no surface, or for a format without the precision that
  * its coordinates need. \param kind "medial surface" */
 void

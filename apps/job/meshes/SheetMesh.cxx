@@ -4,8 +4,9 @@
 
 #include "JobClock.h"
 #include "MeshPlacement.h"
-#include "SheetQuality.h"
 #include "MeshReader.h"
+#include "SheetObserver.h"
+#include "SheetQuality.h"
 #include "SheetRemeshing.h"
 #include "MeshSorting.h"
 #include "SheetThickness.h"
@@ -20,41 +21,11 @@ namespace
 
 constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 
-/** Planned number of cells in the slices being smoothed: cells of thin walls, of which some lie along the slices. */
-constexpr std::uint64_t VoxelsPerCellInWork = 3;
-constexpr std::uint64_t CellInWorkSize = 152;
-
-/** A cell that waits for its piece to be done, in a vector that grows by a quarter. */
-constexpr std::uint64_t PendingCellSize = sizeof(itk::MedialVoxelSurfaceCell) * 5 / 4;
-static_assert(PendingCellSize <= 8 * SheetMesh::MostPending);
-
 /** Memory for reading the scratch files for a writer. */
 constexpr std::uint64_t WritingMemory = 8 * MiB;
 
 /** Planned density of vertices, whose tables and scratch files hold all of them; there are as many faces. */
 constexpr std::uint64_t VoxelsPerVertex = 64;
-
-/** Cells that may wait at least; pieces that find more than fit are done in smaller ones. */
-std::uint64_t
-GetPendingCells(const VolumeGeometry & geometry)
-{
-  constexpr std::uint64_t least = std::uint64_t{ 1 } << 16;
-  return std::max(least, geometry.GetVoxelsPerSlice() / 8);
-}
-
-/** Vertices that are joined and smoothed together: some slices of a sheet, as memory allows. */
-std::size_t
-GetVerticesOfBatch(const VolumeGeometry & geometry)
-{
-  constexpr std::uint64_t most = std::uint64_t{ 1 } << 17;
-  return std::min(most, geometry.GetNumberOfVoxels() / 512);
-}
-
-itk::MedialVoxelGrid::SpacingType
-GetSpacing(const VolumeGeometry & geometry)
-{
-  return { { geometry.spacing[0], geometry.spacing[1], geometry.spacing[2] } };
-}
 
 /** Vertices of a surface that is planned for. */
 std::uint64_t
@@ -91,7 +62,7 @@ SheetMesh::SheetMesh(const ExtractOptions &       options,
   : m_Options(options)
   , m_Geometry(geometry)
   , m_Grid(grid)
-  , m_MaximumNumberOfCells(GetPendingCells(geometry) + surplus / PendingCellSize)
+  , m_Surplus(surplus)
   , m_Cleaning(GetCleaning(options))
   , m_RunTasks(std::move(run))
   , m_Spool(std::make_unique<MeshSpool>(m_Cleaning.scratchFolder, GetPrecision(geometry), MeshSpoolInput::Added))
@@ -111,13 +82,7 @@ SheetMesh::SheetMesh(const ExtractOptions &       options,
 std::unique_ptr<itk::MedialVoxelSurfaceObserver>
 SheetMesh::MakeObserver(itk::MedialVoxelSurfaceConsumer & consumer) const
 {
-  auto observer = std::make_unique<itk::MedialVoxelSurfaceObserver>(
-    m_Grid, GetParameters(m_Options, m_Grid), GetSpacing(m_Geometry), GetPlacement(m_Geometry), consumer);
-  observer->SetMaximumNumberOfCells(m_MaximumNumberOfCells);
-  if (m_RunTasks)
-  {
-    observer->RunTasksWith(m_RunTasks, GetVerticesOfBatch(m_Geometry));
-  }
+  auto observer = MakeSheetObserver(m_Options, m_Geometry, m_Grid, m_Surplus, m_RunTasks, consumer);
   if (m_Options.labels)
   {
     observer->FindPartsWith([this](const itk::MedialVoxelIndex & cell) { return m_FindObject(cell); });
@@ -260,14 +225,9 @@ SheetMesh::GetFootprint(const ExtractOptions &       options,
   const SheetCleaning cleaning = GetCleaning(options);
   const bool          isRemeshed = IsRemeshed(options);
   const std::uint64_t vertices = GetPlannedVertices(geometry);
-  ProductFootprint    footprint;
-  footprint.beside =
-    geometry.GetVoxelsPerSlice() / VoxelsPerCellInWork * CellInWorkSize + GetPendingCells(geometry) * PendingCellSize +
-    GetVerticesOfBatch(geometry) * itk::MedialVoxelSurfaceBuilder::BytesOfVertex + WritingMemory +
-    GetEdgeMemory(options, geometry) + (isRemeshed ? GetRemeshingMemory(1) : 0) + GetCleaningMemory(cleaning, vertices);
-  footprint.perVoxelOfTile = itk::MedialVoxelSurfaceObserver::GetBytesPerVoxel(grid, GetParameters(options, grid));
-  footprint.surplus.most = MostPending;
-  footprint.surplus.planned = 1; // a cell for each 64 voxels
+  ProductFootprint    footprint = GetSheetFootprint(options, geometry, grid);
+  footprint.beside += WritingMemory + GetEdgeMemory(options, geometry) + (isRemeshed ? GetRemeshingMemory(1) : 0) +
+                      GetCleaningMemory(cleaning, vertices);
   const std::uint64_t spools = isRemeshed ? 3 : cleaning.IsOn() || options.labels ? 2 : 1;
   const std::uint64_t sorting = options.labels || isRemeshed ? SortedVertexSize : 0;
   footprint.scratch = { cleaning.scratchFolder,

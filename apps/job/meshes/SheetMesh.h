@@ -30,9 +30,6 @@ namespace medialvoxel
 class SheetMesh : private itk::MedialVoxelSurfaceConsumer
 {
 public:
-  /** Bytes of cells that wait for their piece, for each of its voxels: one cell for each 8 is more than there are. */
-  static constexpr std::uint64_t MostPending = 8;
-
   using RunTasks = itk::MedialVoxelSurfaceBuilder::RunTasks;
 
   /** \param grid     the image in the units of the options
@@ -125,7 +122,7 @@ private:
   ExtractOptions                                  m_Options;
   VolumeGeometry                                  m_Geometry;
   itk::MedialVoxelGrid                            m_Grid;
-  std::uint64_t                                   m_MaximumNumberOfCells;
+  std::uint64_t                                   m_Surplus;
   SheetCleaning                                   m_Cleaning;
   RunTasks                                        m_RunTasks;
   std::unique_ptr<MeshSpool>                      m_Spool;

@@ -15,6 +15,7 @@
 #include "Warning.h"
 
 #include "itkMedialVoxelExactNumber.h"
+#include "itkMedialVoxelSheetWalls.h"
 #include "itkMedialVoxelSums.h"
 
 #include <cstdint>
@@ -33,6 +34,7 @@ struct JobSeconds
   double inputOutput{ 0.0 };
   double remeshing{ 0.0 }; ///< of the medial surface
   double topology{ 0.0 };  ///< to add cells for it
+  double walls{ 0.0 };     ///< to number them
   double total{ 0.0 };
 };
 
@@ -53,6 +55,7 @@ struct JobResult
   SegmentTable                               segments;    ///< names of its labels; empty: there are none
   std::optional<SheetSummary>                surface;     ///< when a mesh was asked for
   Json                                       topology;    ///< of the object and the labels, when that was asked for
+  std::optional<itk::MedialVoxelSheetWalls>  walls;       ///< and seams, when these were asked for
   Json                                       part;        ///< its surface, when that was asked for
   std::vector<Warning>                       warnings;
   JobSeconds                                 seconds;

@@ -154,6 +154,9 @@ struct ExtractOptions : JobOptions
   std::string                thicknessFile;      ///< thickness at medial cells, float32
   std::string                uncertaintyFile;    ///< of the thickness at medial cells, float32
   std::string                importanceFile;     ///< geodesic distance of the pair of each cell, float32
+  std::string                wallsFile;          ///< number of the wall of each cell, uint32
+  std::string                wallTableFile;      ///< these walls, comma-separated values
+  std::string                seamTableFile;      ///< where they meet, comma-separated values
   std::string                localThicknessFile; ///< local thickness of the object voxels, float32
   LocalThicknessMethod       localThicknessMethod{ LocalThicknessMethod::Wall };
   std::optional<double>      largestBall; ///< largest of them, > 0; unset: 32 voxels of the largest spacing

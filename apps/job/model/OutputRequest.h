@@ -20,7 +20,8 @@ enum class VolumeFiller
   Extraction,
   Distance,
   LocalThickness,
-  Objects ///< the passes over a label map together
+  Objects, ///< the passes over a label map together
+  Product  ///< no task: a product, when all pieces are done
 };
 
 /** A file that a job is to write. */

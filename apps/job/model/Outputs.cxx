@@ -98,8 +98,12 @@ constexpr VolumeKind LocalThicknesses{ Write<&Result::WriteLocalThickness>,
                                        false,
                                        GetLayout<ThicknessLayout> };
 
+constexpr VolumeKind WallNumbers{ nullptr, Filler::Product, true, GetLayout<WallLayout> };
+
 constexpr JobRefusal NoObjects{ "a map of objects", "run medialvoxel extract" };
 constexpr JobRefusal NoMesh{ "a mesh, which joins what lies in all clusters,", "run medialvoxel mesh for it" };
+constexpr JobRefusal NoWalls{ "walls, which join what lies in all clusters,",
+                              "run medialvoxel extract without --resume" };
 constexpr JobRefusal NoParameters{ "return parameters", "use the report" };
 
 template <typename TOptions>
@@ -123,6 +127,9 @@ ListOutputKinds(const ExtractOptions &)
     { "thickness_map", &Options::thicknessFile, Thicknesses },
     { "uncertainty_map", &Options::uncertaintyFile, Uncertainties },
     { "importance", &Options::importanceFile, Importances },
+    { "walls", &Options::wallsFile, WallNumbers, NoWalls },
+    { "wall_table", &Options::wallTableFile, {}, NoWalls, { ".csv" }, "table of walls" },
+    { "seam_table", &Options::seamTableFile, {}, NoWalls, { ".csv" }, "table of seams" },
     { "local_thickness", &Options::localThicknessFile, LocalThicknesses },
     { "places", &Options::placesFile, {}, {}, { ".csv" }, "list of places" },
     { "mesh", &Options::meshFile, {}, NoMesh },
@@ -153,6 +160,12 @@ ListOutputKinds(const PartOptions &)
     MakeReportKind<PartOptions>(),
   };
   return kinds;
+}
+
+bool
+NumbersWalls(const ExtractOptions & options)
+{
+  return !options.wallsFile.empty() || !options.wallTableFile.empty() || !options.seamTableFile.empty();
 }
 
 bool

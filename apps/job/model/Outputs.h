@@ -118,6 +118,10 @@ ListVolumeNames(const TOptions & options)
   return names;
 }
 
+/** Whether an output is of numbered walls. */
+bool
+NumbersWalls(const ExtractOptions & options);
+
 /** Whether one of the volumes or the list of places shows measures of walls. */
 bool
 MeasuresWalls(const ExtractOptions & options);

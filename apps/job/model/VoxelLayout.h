@@ -37,6 +37,7 @@ GetVectorLayout(const VolumeHeader & header)
 
 inline constexpr VoxelLayout LabelLayout{ PixelType::UInt8, 1 };
 inline constexpr VoxelLayout DistanceLayout{ PixelType::Float32, 1 };
+inline constexpr VoxelLayout WallLayout{ PixelType::UInt32, 1 };
 inline constexpr VoxelLayout ThicknessLayout{ PixelType::Float32, 1 };
 
 } // end namespace medialvoxel

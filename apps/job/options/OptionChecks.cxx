@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "OptionChecks.h"
 
+#include "Outputs.h"
 #include "OptionTable.h"
 #include "Text.h"
 
@@ -85,6 +86,7 @@ CheckLabelOptions(const ExtractOptions & options)
     { "distances", !options.distanceFile.empty(), oneObject },
     { "an importance", !options.importanceFile.empty(), oneObject },
     { "the same topology", options.sameTopology, oneObject },
+    { "walls", NumbersWalls(options), oneObject },
     { "a local thickness", !options.localThicknessFile.empty(), oneObject },
     { "thin or thick places", ListsPlaces(options), oneObject },
   };

@@ -175,6 +175,32 @@ AddGrayValues(std::vector<OptionRow> & rows)
 }
 
 void
+AddNumbers(std::vector<OptionRow> & rows)
+{
+  AddRow(rows, "--walls", "FILE", File(&ExtractOptions::wallsFile))
+    .Of(Extractions, Walls)
+    .RefusedIn(Plan)
+    .Hidden()
+    .Help("Number of the wall of each medial cell",
+          "32-bit whole numbers on the grid of the labels: 1 is the largest wall, 0 no wall. Walls end where more than "
+          "two meet, and at sharp bends. Not with --labels.")
+    .Slicer({ Outputs, "wallsVolume", "Walls", "", SlicerOutput("label"), "output" });
+  AddRow(rows, "--wall-table", "FILE", File(&ExtractOptions::wallTableFile))
+    .Of(Extractions, Walls)
+    .RefusedIn(Plan)
+    .Hidden()
+    .Help("Table of the walls (.csv)",
+          "A row for each: cells, area, thickness, centroid, normal, flatness, length of its rims, neighbors.")
+    .Slicer({ Outputs, "wallTableFile", "Table of walls", "", SlicerFile(".csv"), "output" });
+  AddRow(rows, "--seam-table", "FILE", File(&ExtractOptions::seamTableFile))
+    .Of(Extractions, Walls)
+    .RefusedIn(Plan)
+    .Hidden()
+    .Help("Table of the seams of walls (.csv)", "A row for each: the walls that meet, its length, their angles.")
+    .Slicer({ Outputs, "seamTableFile", "Table of seams", "", SlicerFile(".csv"), "output" });
+}
+
+void
 AddPlaces(std::vector<OptionRow> & rows)
 {
   AddRow(rows, "--thin-below", "T,G,A", PlacesBeyond(&ExtractOptions::thinBelow, PlaceKind::Thin))
@@ -220,6 +246,7 @@ void
 AddWallRows(std::vector<OptionRow> & rows)
 {
   AddMaps(rows);
+  AddNumbers(rows);
   AddLocalThickness(rows);
   AddGrayValues(rows);
 }

@@ -127,7 +127,10 @@ MakeVolumes(const TOptions & options, const VolumeHeader & header)
   ProductList products;
   for (VolumeRequest & request : ListVolumes(options, header))
   {
-    products.push_back(std::make_unique<VolumeProduct>(options, std::move(request)));
+    if (request.filler != VolumeFiller::Product)
+    {
+      products.push_back(std::make_unique<VolumeProduct>(options, std::move(request)));
+    }
   }
   return products;
 }
@@ -159,8 +162,16 @@ MakeProducts(const ExtractOptions & options, const VolumeHeader & header)
     products.push_back(MakeDrawnLabels(options, header));
   }
   // Each may use the previous ones.
-  for (const ProductRow * const row :
-       { &MeshRow, &StatisticsRow, &PictureRow, &PlaceRow, &PageRow, &ReportRow, &ParameterRow })
+  for (const ProductRow * const row : { &MeshRow,
+                                        &WallRow,
+                                        &WallTableRow,
+                                        &SeamTableRow,
+                                        &StatisticsRow,
+                                        &PictureRow,
+                                        &PlaceRow,
+                                        &PageRow,
+                                        &ReportRow,
+                                        &ParameterRow })
   {
     if (row->IsWanted(options))
     {

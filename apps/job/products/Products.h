@@ -44,8 +44,8 @@ Make(const ExtractOptions & options, std::string fileName)
   return std::make_unique<TProduct>(options, std::move(fileName));
 }
 
-// Defined in SurveyProducts.cxx and MeshProducts.cxx.
-extern const ProductRow StatisticsRow, PlaceRow, PictureRow, PageRow, MeshRow;
+// Defined in SurveyProducts.cxx, MeshProducts.cxx and WallProducts.cxx.
+extern const ProductRow StatisticsRow, PlaceRow, PictureRow, PageRow, MeshRow, WallRow, WallTableRow, SeamTableRow;
 
 std::unique_ptr<Product>
 MakePart(const PartOptions & options, const VolumeHeader & header);

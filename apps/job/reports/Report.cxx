@@ -4,6 +4,7 @@
 
 #include "MeshJson.h"
 #include "PlaceJson.h"
+#include "WallJson.h"
 #include "Version.h"
 #include "VolumeFormats.h"
 
@@ -137,6 +138,10 @@ AddRun(Json & report, const JobResult & result)
   if (!result.topology.is_null())
   {
     report["seconds"]["topology"] = result.seconds.topology;
+  }
+  if (result.walls)
+  {
+    report["seconds"]["walls"] = result.seconds.walls;
   }
   report["peak_memory_bytes"] = result.peakMemory;
   report["planned_peak_bytes"] = result.plan.memory.planned;
@@ -294,6 +299,10 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   if (!result.topology.is_null())
   {
     report["topology"] = result.topology;
+  }
+  if (result.walls)
+  {
+    report["walls"] = MakeWallsJson(*result.walls);
   }
   if (!result.objects.is_null())
   {

@@ -125,6 +125,7 @@ ListViewRows()
       "topology",
       "{topology.added_cells} cells added; parts {topology.object.parts}, tunnels {topology.object.tunnels}, cavities "
       "{topology.object.cavities}" },
+    { ExtractTable, "walls", "seams", "{walls.number_of_seams}, where {walls.number_of_walls} walls meet or end" },
     { LongTable, "", "pseudo", "[percent.pseudo?{fixed percent.pseudo} %][!percent.pseudo?-]" },
     { LongTable, "", "correct", "[percent.correct?{fixed percent.correct} %][!percent.correct?-]" },
     { SlicerLines, "", "candidateCells", "{counts.candidate_cells}" },

@@ -91,6 +91,10 @@ CheckInput(const ExtractOptions & options, const VolumeHeader & header)
     CheckMeshInput(header, options.meshFile, "medial surface");
     CheckElementSize(options, header.geometry);
   }
+  if (NumbersWalls(options))
+  {
+    CheckDimension(header, "sheet of walls");
+  }
   if ((options.materials || !options.uncertaintyFile.empty()) && !HasOneThreshold(options, header))
   {
     RefuseLackOfThreshold(options.materials ? "levels of gray values need" : "the uncertainty of the thickness need",

@@ -22,8 +22,8 @@ RecordCosts(JobResult & result, const InputVolume & input, double writeSeconds, 
   result.seconds.distance = result.sums.distanceSeconds;
   result.seconds.classification = result.sums.classificationSeconds;
   result.seconds.tiles = result.sums.tileSeconds;
-  result.seconds.inputOutput =
-    input.GetSource().GetReadSeconds() + writeSeconds - result.seconds.remeshing - result.seconds.topology;
+  result.seconds.inputOutput = input.GetSource().GetReadSeconds() + writeSeconds - result.seconds.remeshing -
+                               result.seconds.topology - result.seconds.walls;
   result.seconds.total = SecondsSince(start);
   result.bytesRead = input.GetSource().GetNumberOfBytesRead();
   result.peakMemory = GetPeakMemory();

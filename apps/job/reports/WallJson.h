@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelWallJson_h
+#define medialvoxelWallJson_h
+
+#include "Json.h"
+
+#include "itkMedialVoxelSheetWalls.h"
+
+#include <string>
+
+namespace medialvoxel
+{
+
+/** For a report: numbers of walls and seams, and the first ones of both. */
+Json
+MakeWallsJson(const itk::MedialVoxelSheetWalls & walls);
+
+/** All walls as comma-separated values. */
+std::string
+MakeWallsCsv(const itk::MedialVoxelSheetWalls & walls);
+
+/** All seams. */
+std::string
+MakeSeamsCsv(const itk::MedialVoxelSheetWalls & walls);
+
+} // end namespace medialvoxel
+
+#endif
