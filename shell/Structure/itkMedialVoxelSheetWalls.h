@@ -35,7 +35,7 @@ struct MedialVoxelSeamRow
 {
   std::vector<std::uint32_t> walls; ///< their numbers
   double                     length{ 0 };
-  std::vector<double>        angles; ///< degrees between each two, in the order 1-2, 1-3, ..., 2-3, ...; straight: 180
+  std::vector<double>        angles; ///< degrees between each two, 1-2, 1-3, ..., 2-3, ...; straight: 180; NaN: apart
 };
 
 /** The walls of a sheet and the seams where they meet. */

@@ -7,6 +7,7 @@
 #include "itkMedialVoxelSpread.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace itk
@@ -261,7 +262,9 @@ MedialVoxelFindSeams(const MedialVoxelSheetGraph & graph,
       for (std::size_t second = first + 1; second < walls.size(); ++second)
       {
         const auto found = line.angles.find({ walls[first], walls[second] });
-        seam.angles.push_back(found == line.angles.end() ? 0.0 : found->second.first / found->second.second);
+        const bool isKnown = found != line.angles.end();
+        seam.angles.push_back(isKnown ? found->second.first / found->second.second
+                                      : std::numeric_limits<double>::quiet_NaN());
       }
     }
     seams.push_back(std::move(seam));
