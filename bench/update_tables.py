@@ -155,6 +155,17 @@ def options(document):
     return ["run", "CPU s", "peak MiB"], rows
 
 
+def topology_cost(document):
+    def show(result):
+        return [f"{result['cpu_seconds']['median']:.2f}", f"{result['peak_bytes']['max'] / 2**20:.0f}"]
+
+    rows = [
+        [name, *show(row["labels"]), *show(row["same topology"]), f"{row['ratio']:.2f}"]
+        for name, row in document["volumes"].items()
+    ]
+    return ["volume", "labels, CPU s", "peak MiB", "with `--same-topology`, CPU s", "peak MiB", "ratio"], rows
+
+
 def gray_walls(document):
     cases = document["cases"]
 
@@ -218,6 +229,7 @@ TABLES = {
     "arrays": ("arrays.json", arrays),
     "local-thickness": ("local-thickness.json", local_thickness),
     "options": ("options.json", options),
+    "topology-cost": ("topology-cost.json", topology_cost),
     "threads": ("tiles.json", threads),
     "automatic": ("automatic.json", automatic),
     "gray-walls": ("gray-walls.json", gray_walls),

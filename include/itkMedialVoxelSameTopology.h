@@ -67,9 +67,13 @@ public:
   std::uint64_t
   GetNumberOfAddedCells() const;
 
-  /** Memory of the slices that wait for others. */
+  /** Memory of the slices that wait for others, and of the counts. */
   std::uint64_t
   GetHeldBytes() const;
+
+  /** All memory, for walls of up to so many voxels without much noise. */
+  static std::uint64_t
+  GetUsualBytes(const MedialVoxelGrid & grid, std::uint64_t maximumPoreSize, std::uint64_t wallThickness);
 
   /** Parts, tunnels and cavities of the object, without its closed pores; after the last slice. */
   MedialVoxelBettiNumbers

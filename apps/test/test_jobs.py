@@ -138,7 +138,7 @@ class SmallJobTest(JobTestCase):
             "--compress": "none", "--spacing": "1,2,3", "--resample": 0.75, "--resolution": 1,
             "--slices": "2-6", "--thin-below": "2,,3", "--thick-above": 2, "--places": "p.csv",
             "--fail-if-thin": None, "--local-thickness": "lt.mha", "--largest-ball": 9, "--importance": "i.mha",
-            "--local-thickness-method": "sphere",
+            "--local-thickness-method": "sphere", "--same-topology": None,
         }  # fmt: skip
         of_raw = {word for word in raw.split() if word.startswith("--")}
         self.assertEqual(set(re.findall(r"^  (--[a-z-]+)", help_text, re.MULTILINE)), of_run | of_raw | set(values) | {"--series"})

@@ -5,10 +5,12 @@
 import json
 import math
 import random
+import shutil
 import unittest
 
+import jobs
 import volumes
-from program import REFUSED, USAGE, ProgramTestCase
+from program import FAILURE, REFUSED, USAGE, ProgramTestCase
 
 OPTION = "--same-topology"
 
@@ -142,18 +144,76 @@ class SameTopologyTest(ProgramTestCase):
         extract = ("extract", "in.mha", "o.mha", OPTION)
         self.assert_fails(USAGE, ["labels of several objects", "the same topology", "--label"], *extract, "--labels", "all")
         self.assert_fails(USAGE, [OPTION, "OUTPUT"], "extract", "in.mha", OPTION, "--report", "r.json")
-        self.assert_fails(REFUSED, ["the same topology", "--resume"], *extract, "--resume")
-        self.assert_fails(REFUSED, ["the same topology"], "plan", "in.mha", "o.mha", "job", OPTION)
+
+    def test_planned_memory(self):
+        """The end of the run is in the plan: walls of 16 voxels keep within it, and less is refused before the run."""
+        slices = (bytes([100 if 2 <= z % 20 < 18 else 0]) * 160000 for z in range(80))
+        (self.folder / "in.raw").write_bytes(b"".join(slices))
+        raw = ("--raw-size", "400,400,80", "--raw-type", "uint8", "--lower", 50, "--thickness", 3, "--threads", 1)
+        extract = ("extract", "in.raw", "o.mha", *raw)
+        least = self.find_least_memory(*extract, OPTION)
+        self.assertGreater(least, self.find_least_memory(*extract) + (1 << 20))
+        self.run_program(*extract, OPTION, "--memory", least, "--report", "r.json")
+        report = json.loads((self.folder / "r.json").read_text())
+        self.assertLessEqual(report["peak_memory_bytes"], report["planned_peak_bytes"])
+        self.assertLessEqual(report["planned_peak_bytes"], least)
+        (self.folder / "o.mha").unlink()
+        self.assert_fails(REFUSED, ["needs at least"], *extract, OPTION, "--memory", least - (1 << 17))
+        self.assertFalse((self.folder / "o.mha").exists())
 
     def test_lack_of_memory(self):
-        """A solid part holds more slices than a wall, which the plan cannot know."""
-        solid = shape(lambda x, y, z: max(abs(x), abs(y)) < 70 and abs(z) < 70, (150, 150, 150))
-        volumes.write_meta(self.folder / "in.mha", solid)
-        least = self.find_least_memory("extract", "in.mha", "o.mha", OPTION, "--thickness", 3)
-        self.assert_fails(
-            REFUSED, ["topology of the object", "--memory"],
-            "extract", "in.mha", "o.mha", OPTION, "--thickness", 3, "--memory", least + (20 << 20), "--threads", 1,
-        )  # fmt: skip
+        """A thick part holds more slices than a wall, which the plan cannot know."""
+        (self.folder / "in.raw").write_bytes((bytes(1) + bytes([100]) * 239) * (240 * 200))
+        raw = ("--raw-size", "240,240,200", "--raw-type", "uint8", "--lower", 50, "--thickness", 3, "--threads", 1)
+        extract = ("extract", "in.raw", "o.mha", OPTION, *raw)
+        least = self.find_least_memory(*extract)
+        self.assert_fails(REFUSED, ["topology of the object", "--memory"], *extract, "--memory", least + (8 << 20))
+
+
+class SameTopologyJobTest(jobs.JobTestCase):
+    """Clusters fill a volume of cells, which the end of the job reads and removes."""
+
+    OPTIONS = ("--lower", 50, "--preview", "p.png", "--places", "c.csv", "--thin-below", 2, "--report", "r.json", OPTION)
+
+    def setUp(self):
+        super().setUp()
+        volumes.write_meta(self.folder / "in.mha", noisy_parts())
+
+    def test_clusters_of_several_processes(self):
+        for output in ("out.mha", "out.nhdr", "out.zarr"):
+            expected = self.expect("extract", "../in.mha", output, *self.OPTIONS)
+            self.assertGreater(expected["r.json"]["topology"]["added_cells"], 0)
+            self.in_target("plan", "../in.mha", output, "job", *self.OPTIONS, "--divisions", 3)
+            for cluster in (2, 0, 1):
+                self.in_target("work", "job", "--clusters", cluster, "--threads", 1 + cluster, "--scratch", "..")
+            self.in_target("finalize", "job")
+            self.assertEqual(jobs.results(self.target), expected, output)
+            self.clear_target()
+            self.in_target("extract", "../in.mha", output, *self.OPTIONS, "--resume")
+            self.assertEqual(jobs.results(self.target), expected, output)
+            self.clear_target()
+            shutil.rmtree(self.folder / "expected")
+
+    def test_damaged_cells(self):
+        """The end finds them before it uses them, and names the cluster that is to be done again."""
+        expected = self.expect("extract", "../in.mha", "out.mha", *self.OPTIONS)
+        self.in_target("plan", "../in.mha", "out.mha", "job", *self.OPTIONS, "--divisions", 3)
+        self.in_target("work", "job")
+        (cells,) = self.target.glob("out.mha.cells.mha.*.partial")
+        content = bytearray(cells.read_bytes())
+        content[-1] ^= 1
+        cells.write_bytes(content)
+        self.assertIn("checksums that they were written with: 2;", self.in_target("finalize", "job", status=FAILURE).stderr)
+        self.in_target("work", "job", "--clusters", 2)
+        self.in_target("finalize", "job")
+        self.assertEqual(jobs.results(self.target), expected)
+
+    def test_plan_that_is_given_up(self):
+        """Its volume of cells goes when the folder is planned anew."""
+        self.in_target("plan", "../in.mha", "out.mha", "job", *self.OPTIONS)
+        (self.job / "manifest.json").rename(self.job / "planned.json")
+        self.in_target("plan", "../in.mha", "out.mha", "job", *self.OPTIONS)
+        self.assertEqual(len(list(self.target.glob("out.mha.cells.mha.*.partial"))), 1)
 
 
 if __name__ == "__main__":

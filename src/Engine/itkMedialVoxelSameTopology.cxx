@@ -74,6 +74,10 @@ public:
       for (std::int64_t x = 0; x < box.upper[0]; ++x)
       {
         const auto at = static_cast<std::size_t>(y * box.upper[0] + x);
+        if (cells[at] == 0)
+        {
+          continue; // most of a scan is background
+        }
         const auto cell = MedialVoxelTopologyCell::Unpack(cells[at]);
         const auto bit = MedialVoxelBits::WordType{ 1 } << (x % MedialVoxelBits::BitsPerWord);
         ofObject[x / MedialVoxelBits::BitsPerWord] |= cell.isObject ? bit : 0;
@@ -109,7 +113,8 @@ public:
   {
     const std::uint64_t ofBits = MedialVoxelBits::GetBytes(m_Thinning.GetSliceBox(0));
     return m_Thinning.GetHeldBytes() + m_Objects.size() * ofBits +
-           m_Waiting.size() * (2 * ofBits + this->GetVoxelsPerSlice() * sizeof(LevelType));
+           m_Waiting.size() * (2 * ofBits + this->GetVoxelsPerSlice() * sizeof(LevelType)) + m_Object.GetBytesOfRuns() +
+           m_Cells.GetBytesOfRuns();
   }
 
   MedialVoxelBettiNumbers
@@ -252,6 +257,21 @@ std::uint64_t
 MedialVoxelSameTopology::GetHeldBytes() const
 {
   return m_Implementation->GetHeldBytes();
+}
+
+std::uint64_t
+MedialVoxelSameTopology::GetUsualBytes(const MedialVoxelGrid & grid,
+                                       const std::uint64_t     maximumPoreSize,
+                                       const std::uint64_t     wallThickness)
+{
+  MedialVoxelBox slice = grid.GetVoxelBox();
+  const auto     all = static_cast<std::uint64_t>(slice.upper[2]);
+  slice.upper[2] = 1;
+  const std::uint64_t ofBits = MedialVoxelBits::GetBytes(slice);
+  const std::uint64_t waiting = std::min(maximumPoreSize, all) + 1;
+  const std::uint64_t held = std::min(MedialVoxelThinning::GetMostHeldSlices(wallThickness / 2), all);
+  return (held + waiting) * (MedialVoxelThinning::GetBytesOfSlice(slice) + ofBits) +
+         2 * MedialVoxelCellComplex::GetUsualBytes(slice);
 }
 
 MedialVoxelBettiNumbers

@@ -38,6 +38,22 @@ public:
   void
   AddSlice(const MedialVoxelBits & object, const MedialVoxelBits & next, const MedialVoxelBits & cells);
 
+  /** Memory of the runs, which grows with noise. */
+  std::uint64_t
+  GetBytesOfRuns() const
+  {
+    return m_Parts.GetBytes() + m_Others.GetBytes();
+  }
+
+  /** Memory for a slice in \a box with a run for some 40 voxels. */
+  static std::uint64_t
+  GetUsualBytes(const MedialVoxelBox & box)
+  {
+    constexpr std::uint64_t rows = 13;
+    constexpr std::uint64_t runsPerVoxel = 4;
+    return rows * MedialVoxelBits::GetBytes(box) + runsPerVoxel * static_cast<std::uint64_t>(box.NumberOfVoxels());
+  }
+
   /** Of all slices. */
   MedialVoxelBettiNumbers
   GetBettiNumbers() const;

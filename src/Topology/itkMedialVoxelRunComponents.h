@@ -49,6 +49,14 @@ public:
     return m_NumberOfComponents;
   }
 
+  /** Memory of the runs. */
+  std::uint64_t
+  GetBytes() const
+  {
+    return (m_Own.runs.capacity() + m_Before.runs.capacity()) * sizeof(Run) +
+           m_Parents.capacity() * sizeof(std::size_t);
+  }
+
 private:
   struct Run
   {

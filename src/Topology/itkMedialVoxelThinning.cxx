@@ -47,10 +47,8 @@ MedialVoxelThinning::GetSliceBox(const std::int64_t slice) const
 void
 MedialVoxelThinning::AddSlice(MedialVoxelBits object, MedialVoxelBits medial, std::vector<LevelType> levels)
 {
-  // Its bits of three kinds, and its levels until its cells have them.
-  const std::uint64_t bytes = 3 * object.GetReservedBytes() + levels.size() * sizeof(LevelType);
-  m_HeldBytes += bytes;
-  m_Slices.push_back({ std::move(object), std::move(medial), std::move(levels), {}, {}, NotBegun, true, bytes });
+  m_Slices.push_back({ std::move(object), std::move(medial), std::move(levels) });
+  m_HeldBytes += m_Slices.back().GetBytes();
   const std::int64_t slice = m_NumberOfSlices++;
   // The corners of a cell are in two slices, if the image has them.
   const std::int64_t ready = slice - (m_Image.Extent(2) > 1 ? 1 : 0);
@@ -68,7 +66,7 @@ MedialVoxelThinning::Begin(const std::int64_t slice)
   const bool hasNext = slice + 1 < m_NumberOfSlices;
   this->At(slice).cells =
     FindCells(m_Grid, this->At(slice).object, hasNext ? this->At(slice + 1).object : MedialVoxelBits());
-  this->SortCells(slice);
+  this->CountCells(slice);
   this->At(slice).turn = this->FindTurn(slice, 0);
 }
 
@@ -102,76 +100,70 @@ MedialVoxelThinning::FindCells(const MedialVoxelGrid & grid,
   return found;
 }
 
-/** Put the cells that may be deleted into classes, by level. */
+/** Count the cells that can be deleted, by level. */
 void
-MedialVoxelThinning::SortCells(const std::int64_t slice)
+MedialVoxelThinning::CountCells(const std::int64_t slice)
 {
-  Slice & own = this->At(slice);
-  for (std::int64_t y = 0; y < m_Cells.upper[1]; ++y)
-  {
-    const MedialVoxelBits::WordType * const cells = own.cells.GetRow(y, slice);
-    const MedialVoxelBits::WordType * const medial = own.medial.GetRow(y, slice);
-    for (std::int64_t word = 0; word < own.cells.GetWordsPerRow(); ++word)
+  Slice &    own = this->At(slice);
+  const auto forEachCell = [&](const auto & function) {
+    for (std::int64_t y = 0; y < m_Cells.upper[1]; ++y)
     {
-      for (auto bits = cells[word] & ~medial[word]; bits != 0; bits &= bits - 1)
+      for (std::int64_t word = 0; word < own.cells.GetWordsPerRow(); ++word)
       {
-        const std::int64_t x = word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(bits);
-        const LevelType    level = own.levels[static_cast<std::size_t>(y * m_Image.upper[0] + x)];
-        if (level == NoLevel)
+        for (auto bits = own.cells.GetRow(y, slice)[word] & ~own.medial.GetRow(y, slice)[word]; bits != 0;
+             bits &= bits - 1)
         {
-          own.hasLevels = false;
-        }
-        else
-        {
-          own.classes[static_cast<std::size_t>((x & 1) + 2 * (y & 1))].waiting.push_back(
-            { static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), level });
+          const std::int64_t x = word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(bits);
+          function(x, y, own.levels[static_cast<std::size_t>(y * m_Image.upper[0] + x)]);
         }
       }
     }
-  }
-  for (Class & cells : own.classes)
+  };
+  LevelType highest = 0;
+  forEachCell([&](std::int64_t, std::int64_t, const LevelType level) {
+    own.lowest = std::min(own.lowest, level);
+    highest = std::max(highest, level);
+  });
+  if (own.lowest == NoLevel)
   {
-    std::sort(
-      cells.waiting.begin(), cells.waiting.end(), [](const Cell & a, const Cell & b) { return a.level > b.level; });
+    return;
   }
-  own.levels = {};
-  const std::uint64_t before = own.bytes;
-  own.bytes = 3 * own.object.GetReservedBytes();
-  for (Class & cells : own.classes)
-  {
-    cells.waiting.shrink_to_fit();
-    own.bytes += 3 * cells.waiting.capacity() * sizeof(Cell); // those that become active, too, in memory that doubles
-  }
-  m_HeldBytes += own.bytes - before;
+  own.counts.resize(static_cast<std::size_t>(highest - own.lowest) + 1);
+  m_HeldBytes += own.counts.capacity() * sizeof(Counts);
+  forEachCell([&](const std::int64_t x, const std::int64_t y, const LevelType level) {
+    ++own.counts[static_cast<std::size_t>(level - own.lowest)][static_cast<std::size_t>((x & 1) + 2 * (y & 1))];
+  });
 }
 
 /** The first turn from \a turn on in which the slice has work. */
 std::int64_t
 MedialVoxelThinning::FindTurn(const std::int64_t slice, std::int64_t turn)
 {
-  const auto & classes = this->At(slice).classes;
-  const bool   isActive =
-    std::any_of(classes.begin(), classes.end(), [](const Class & cells) { return !cells.active.empty(); });
-  if (!isActive)
+  const Slice &      own = this->At(slice);
+  const std::int64_t end = own.lowest + static_cast<std::int64_t>(own.counts.size());
+  const auto         countsOf = [&](const std::int64_t level) -> const Counts & {
+    return own.counts[static_cast<std::size_t>(level - own.lowest)];
+  };
+  for (;; ++turn)
   {
-    std::int64_t lowest = Done;
-    for (const Class & cells : classes)
+    std::int64_t level = std::max<std::int64_t>(own.lowest, turn / TurnsPerPass - NumberOfChances + 1);
+    while (level < end && countsOf(level) == Counts{})
     {
-      lowest = cells.waiting.empty() ? lowest : std::min<std::int64_t>(lowest, cells.waiting.back().level);
+      ++level;
     }
-    if (lowest == Done)
+    if (level >= end)
     {
       return Done;
     }
-    turn = std::max(turn, lowest * TurnsPerPass);
-  }
-  const auto ownParity = static_cast<std::uint32_t>(slice & 1);
-  for (;; ++turn)
-  {
+    turn = std::max(turn, level * TurnsPerPass);
     const std::uint32_t parity = ParityOf(turn);
-    if ((parity >> 2) == ownParity && classes[parity & 3u].HasWork(turn / TurnsPerPass))
+    for (; (parity >> 2) == static_cast<std::uint32_t>(slice & 1) && level < end && level <= turn / TurnsPerPass;
+         ++level)
     {
-      return turn;
+      if (countsOf(level)[parity & 3u] > 0)
+      {
+        return turn;
+      }
     }
   }
 }
@@ -212,27 +204,34 @@ void
 MedialVoxelThinning::TakeTurn(const std::int64_t slice)
 {
   MedialVoxelCheckAbort();
-  Slice &            own = this->At(slice);
-  const std::int64_t pass = own.turn / TurnsPerPass;
-  Class &            cells = own.classes[ParityOf(own.turn) & 3u];
-  for (; !cells.waiting.empty() && cells.waiting.back().level <= pass; cells.waiting.pop_back())
+  Slice &             own = this->At(slice);
+  const std::int64_t  pass = own.turn / TurnsPerPass;
+  const std::uint32_t parity = ParityOf(own.turn) & 3u;
+  const auto          ofParity = (~MedialVoxelBits::WordType{ 0 } / 3) << (parity & 1u);
+  for (std::int64_t y = parity >> 1; y < m_Cells.upper[1]; y += 2)
   {
-    cells.active.push_back(cells.waiting.back());
-  }
-  const auto end = std::remove_if(cells.active.begin(), cells.active.end(), [&](const Cell & cell) {
-    if (this->IsSimple(slice, cell))
+    MedialVoxelBits::WordType * const       cells = own.cells.GetRow(y, slice);
+    const MedialVoxelBits::WordType * const medial = own.medial.GetRow(y, slice);
+    const LevelType * const                 levels = own.levels.data() + y * m_Image.upper[0];
+    for (std::int64_t word = 0; word < own.cells.GetWordsPerRow(); ++word)
     {
-      own.cells.GetRow(cell.y, slice)[cell.x >> 6] &= ~(MedialVoxelBits::WordType{ 1 } << (cell.x & 63));
-      return true;
+      for (auto bits = cells[word] & ~medial[word] & ofParity; bits != 0; bits &= bits - 1)
+      {
+        const std::int64_t x = word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(bits);
+        const std::int64_t level = levels[x];
+        if (level <= pass && pass - level < NumberOfChances && this->IsSimple(slice, x, y))
+        {
+          cells[word] ^= bits & (~bits + 1);
+          --own.counts[static_cast<std::size_t>(level - own.lowest)][parity];
+        }
+      }
     }
-    return pass - cell.level == NumberOfChances - 1;
-  });
-  cells.active.erase(end, cells.active.end());
+  }
   own.turn = this->FindTurn(slice, own.turn + 1);
 }
 
 bool
-MedialVoxelThinning::IsSimple(const std::int64_t slice, const Cell & cell)
+MedialVoxelThinning::IsSimple(const std::int64_t slice, const std::int64_t x, const std::int64_t row)
 {
   std::uint32_t cells = 0;
   std::uint32_t voxels = 0;
@@ -246,18 +245,18 @@ MedialVoxelThinning::IsSimple(const std::int64_t slice, const Cell & cell)
     const Slice & other = this->At(z);
     for (int dy = -1; dy <= 1; ++dy)
     {
-      const std::int64_t y = cell.y + dy;
+      const std::int64_t y = row + dy;
       if (y < 0 || y >= m_Image.upper[1])
       {
         continue;
       }
       if (z < m_Cells.upper[2])
       {
-        cells |= static_cast<std::uint32_t>(other.cells.Extract(cell.x - 1, y, z) & 7u) << (9 * dz + 3 * dy + 12);
+        cells |= static_cast<std::uint32_t>(other.cells.Extract(x - 1, y, z) & 7u) << (9 * dz + 3 * dy + 12);
       }
       if (dy >= 0 && dz >= 0)
       {
-        voxels |= static_cast<std::uint32_t>(other.object.Extract(cell.x, y, z) & 3u) << (4 * dz + 2 * dy);
+        voxels |= static_cast<std::uint32_t>(other.object.Extract(x, y, z) & 3u) << (4 * dz + 2 * dy);
       }
     }
   }
@@ -275,7 +274,7 @@ MedialVoxelThinning::HandOver()
   {
     const Slice & own = this->At(m_NumberHandedOver);
     m_Added.Reshape(own.cells.GetBox());
-    for (std::int64_t y = 0; y < m_Cells.upper[1] && own.hasLevels; ++y)
+    for (std::int64_t y = 0; y < m_Cells.upper[1] && own.lowest != NoLevel; ++y)
     {
       MedialVoxelBits::WordType * const       target = m_Added.GetRow(y, m_NumberHandedOver);
       const MedialVoxelBits::WordType * const kept = own.cells.GetRow(y, m_NumberHandedOver);
@@ -289,7 +288,7 @@ MedialVoxelThinning::HandOver()
   }
   while (m_FirstSlice < m_NumberHandedOver && (isDone(m_FirstSlice + 1) || m_NumberHandedOver == m_Cells.upper[2]))
   {
-    m_HeldBytes -= m_Slices.front().bytes;
+    m_HeldBytes -= m_Slices.front().GetBytes();
     m_Slices.pop_front();
     ++m_FirstSlice;
   }

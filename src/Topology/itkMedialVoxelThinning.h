@@ -28,8 +28,7 @@ namespace itk
  * free. The turns of a pass follow a Gray code that rotates from pass to pass.
  *
  * Slices arrive one after the other. A turn on a slice needs all earlier turns on the slices beside it, and nothing
- * else. So each slice goes on as far as its neighbors let it, and the result is that of the whole image. A slice of
- * levels up to l is done when at most 8/3 (l + 8) + 3 slices after it are known.
+ * else. So each slice goes on as far as its neighbors let it, and the result is that of the whole image.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelThinning
@@ -71,11 +70,25 @@ public:
     return m_Slices.size();
   }
 
+  /** At most, for levels up to \a level: a slice is done when 8/3 (level + 8) + 3 slices after it are known. */
+  static std::uint64_t
+  GetMostHeldSlices(const std::uint64_t level)
+  {
+    return 8 * (level + NumberOfChances) / 3 + 5;
+  }
+
   /** Memory of these slices. */
   std::uint64_t
   GetHeldBytes() const
   {
     return m_HeldBytes;
+  }
+
+  /** Memory of a slice in \a box: its bits of three kinds, and levels. */
+  static std::uint64_t
+  GetBytesOfSlice(const MedialVoxelBox & box)
+  {
+    return 3 * MedialVoxelBits::GetBytes(box) + static_cast<std::uint64_t>(box.NumberOfVoxels()) * sizeof(LevelType);
   }
 
   /** The cells of a slice that have an object corner.
@@ -84,40 +97,29 @@ public:
   FindCells(const MedialVoxelGrid & grid, const MedialVoxelBits & object, const MedialVoxelBits & next);
 
 private:
-  struct Cell
-  {
-    std::int32_t x;
-    std::int32_t y;
-    LevelType    level;
-  };
+  static constexpr std::int64_t NotBegun = -1;
+  static constexpr std::int64_t Done = std::numeric_limits<std::int64_t>::max();
 
-  /** Cells with the same parity of x and y that may be deleted. */
-  struct Class
-  {
-    std::vector<Cell> waiting; ///< the lowest levels last
-    std::vector<Cell> active;
-
-    bool
-    HasWork(const std::int64_t pass) const
-    {
-      return !active.empty() || (!waiting.empty() && waiting.back().level <= pass);
-    }
-  };
+  /** Numbers of cells with the same parity of x and y. */
+  using Counts = std::array<std::uint64_t, 4>;
 
   struct Slice
   {
     MedialVoxelBits        object;
     MedialVoxelBits        medial;
     std::vector<LevelType> levels;
-    MedialVoxelBits        cells;
-    std::array<Class, 4>   classes;
-    std::int64_t           turn; ///< the next one with work
-    bool                   hasLevels;
-    std::uint64_t          bytes; ///< that it holds
+    MedialVoxelBits        cells{};
+    LevelType              lowest{ NoLevel }; ///< of the levels of cells that can be deleted
+    std::vector<Counts>    counts{};          ///< of such cells, from this level on
+    std::int64_t           turn{ NotBegun };  ///< the next one with work
+
+    std::uint64_t
+    GetBytes() const
+    {
+      return GetBytesOfSlice(object.GetBox()) + counts.capacity() * sizeof(Counts);
+    }
   };
 
-  static constexpr std::int64_t NotBegun = -1;
-  static constexpr std::int64_t Done = std::numeric_limits<std::int64_t>::max();
 
   Slice &
   At(const std::int64_t slice)
@@ -129,7 +131,7 @@ private:
   Begin(std::int64_t slice);
 
   void
-  SortCells(std::int64_t slice);
+  CountCells(std::int64_t slice);
 
   std::int64_t
   FindTurn(std::int64_t slice, std::int64_t turn);
@@ -144,7 +146,7 @@ private:
   TakeTurn(std::int64_t slice);
 
   bool
-  IsSimple(std::int64_t slice, const Cell & cell);
+  IsSimple(std::int64_t slice, std::int64_t x, std::int64_t row);
 
   void
   HandOver();

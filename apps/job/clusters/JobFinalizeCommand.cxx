@@ -5,6 +5,7 @@
 #include "FileNames.h"
 #include "JobClock.h"
 #include "JobCommands.h"
+#include "Leftovers.h"
 #include "OutputChecks.h"
 #include "PipelineErrors.h"
 #include "JobRun.h"
@@ -124,6 +125,7 @@ private:
     const std::optional<DataNames> begun = m_Shared.folder.ReadDataNames(m_Shared.manifest);
     m_Job.options.overwrite |= begun.has_value();
     CheckOutputs(m_Job.result.outputs, m_Job.result.input, m_Job.options.overwrite);
+    RemoveLeftovers(m_Job.result.outputs); // of a volume that the end fills
     m_DataNames = begun ? *begun : this->ChooseDataNames();
     std::map<std::string, Publication> names;
     for (const auto & [role, name] : m_DataNames.chosen)
@@ -247,6 +249,7 @@ private:
     // Replaced files go before the job counts as finished, or nobody would remove them.
     m_Outputs.reset();
     m_Shared.folder.WriteFinished(m_Shared.manifest, GetVerdict(m_Job.result));
+    RemoveSharedCells(m_Shared.manifest);
     m_Sink.Record({ LogLevel::Info, "published", { { "job", m_Shared.manifest.jobId } } });
   }
 
@@ -273,6 +276,7 @@ RunFinalize(const FinalizeOptions & options, ProgressSink & sink)
   }
   if (job.folder.IsFinished(job.manifest))
   {
+    RemoveSharedCells(job.manifest);
     result.verdict = job.folder.GetVerdict(job.manifest);
     return result;
   }

@@ -43,10 +43,6 @@ RefuseUnsupported(const ExtractOptions & options)
       refuse(kind.refusal->what, kind.refusal->remedy);
     }
   }
-  if (options.sameTopology)
-  {
-    refuse("the same topology, which joins what lies in all clusters,", "run medialvoxel extract without --resume");
-  }
   if (options.labels)
   {
     refuse("labels of several objects", "run medialvoxel extract without --resume, or a job for each --label");
@@ -98,8 +94,26 @@ DivideIntoClusters(const ExtractOptions & options, std::uint64_t slicesOfLayer, 
   plan.divisions = (units - 1) / clusterUnits + 1;
 }
 
+/** Volumes that clusters are written to. */
+std::vector<VolumeRequest>
+ListSharedVolumes(const ProductList & products)
+{
+  std::vector<VolumeRequest> volumes;
+  for (const auto & product : products)
+  {
+    if (const VolumeRequest * const volume = product->GetLinks().request)
+    {
+      volumes.push_back(*volume);
+    }
+  }
+  return volumes;
+}
+
 Manifest
-MakeManifest(const ExtractOptions & options, const JobResult & job, const JobFolder & folder)
+MakeManifest(const ExtractOptions & options,
+             const JobResult &      job,
+             const JobFolder &      folder,
+             const ProductList &    products)
 {
   Manifest manifest;
   manifest.version = GetVersion();
@@ -119,7 +133,12 @@ MakeManifest(const ExtractOptions & options, const JobResult & job, const JobFol
   manifest.numberOfSlices = job.plan.numberOfSlices;
   manifest.numberOfClusters = job.plan.divisions;
   manifest.sliceUnit = job.plan.sliceUnit;
-  manifest.perSlice = job.plan.disk / job.plan.numberOfSlices;
+  std::uint64_t bytes = 0;
+  for (const VolumeRequest & volume : ListSharedVolumes(products))
+  {
+    bytes += GetOutputSize(volume.fileName, volume.geometry, volume.layout);
+  }
+  manifest.perSlice = bytes / job.plan.numberOfSlices;
   return manifest;
 }
 
@@ -146,6 +165,7 @@ RemoveVolumes(const Manifest & manifest)
   {
     MakeSharedVolume(name, manifest.options)->RemoveShared(manifest.GetSuffix());
   }
+  RemoveSharedCells(manifest);
 }
 
 /** Removes the files of a plan that ended early. */
@@ -170,9 +190,9 @@ RemoveUnfinished(const JobFolder & folder)
 }
 
 void
-CreateVolumes(const Manifest & manifest, const std::vector<VolumeRequest> & volumes, const ProgressSink & sink)
+CreateVolumes(const Manifest & manifest, const ProductList & products, const ProgressSink & sink)
 {
-  for (const VolumeRequest & volume : volumes)
+  for (const VolumeRequest & volume : ListSharedVolumes(products))
   {
     ThrowIfStopRequested(sink);
     MakeSharedVolume(volume.fileName, manifest.options)
@@ -191,6 +211,7 @@ RunPlan(const PlanOptions & options, ProgressSink & sink)
   Job planned(ofProcess);
   planned.Plan(true);
   PlanResult job{ planned.result, std::nullopt };
+  job.plan.growingScratch.folder = FolderOf(options.output); // where all processes find it
   TellWarnings(sink, job.warnings);
   const JobFolder folder(options.jobFolder);
   folder.CheckFree();
@@ -205,8 +226,7 @@ RunPlan(const PlanOptions & options, ProgressSink & sink)
     return job;
   }
   WithPipelineErrors([&] {
-    const auto     volumes = ListVolumes<ExtractOptions>(options, job.input);
-    const Manifest manifest = MakeManifest(MeasureVolume(options, planned, sink), job, folder);
+    const Manifest manifest = MakeManifest(MeasureVolume(options, planned, sink), job, folder, planned.products);
     folder.Create();
     JobLocks   locks(folder.GetLocksName());
     const auto lock = locks.TryLock(JobLocks::Planning);
@@ -219,7 +239,7 @@ RunPlan(const PlanOptions & options, ProgressSink & sink)
     {
       folder.WriteUnfinishedPlan(manifest);
       const auto script = job.slurm ? WriteSlurmScript(*job.slurm, options.overwrite) : nullptr;
-      CreateVolumes(manifest, volumes, sink);
+      CreateVolumes(manifest, planned.products, sink);
       folder.FinishPlan(manifest);
       sink.Record({ LogLevel::Info,
                     "planned",

@@ -3,6 +3,8 @@
 #include "SharedJob.h"
 
 #include "ClusterRange.h"
+#include "Outputs.h"
+#include "SharedVolume.h"
 
 namespace medialvoxel
 {
@@ -46,6 +48,13 @@ OpenSharedJob(const std::string & jobFolder)
     CheckUnchanged(job.manifest.input);
   }
   return job;
+}
+
+void
+RemoveSharedCells(const Manifest & manifest)
+{
+  const ExtractOptions options = WithAbsoluteNames(manifest.options, manifest.folder);
+  MakeSharedVolume(GetCellsFile(options.output), options)->RemoveShared(manifest.GetSuffix());
 }
 
 std::vector<std::uint64_t>

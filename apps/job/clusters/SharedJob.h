@@ -24,6 +24,10 @@ struct SharedJob
 SharedJob
 OpenSharedJob(const std::string & jobFolder);
 
+/** Removes the volume of all cells, if there is one. */
+void
+RemoveSharedCells(const Manifest & manifest);
+
 /** Clusters without a valid marker. */
 std::vector<std::uint64_t>
 ListMissing(const SharedJob & job);

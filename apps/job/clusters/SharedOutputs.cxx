@@ -10,11 +10,11 @@ SharedOutputs::AddVolume(const VolumeRequest & request)
 {
   auto           made = MakeSharedVolume(request.fileName, m_Options);
   SharedVolume & volume = *made;
-  this->TakeVolume(request.role, std::move(made));
+  this->TakeVolume(request.role, std::move(made), request.isPublished);
   m_Volumes[request.role] = &volume;
   if (m_Names)
   {
-    volume.OpenToPublish(request.geometry, request.layout, m_Suffix, m_Names->at(request.role));
+    volume.OpenToPublish(request.geometry, request.layout, m_Suffix, (*m_Names)[request.role]);
     return volume;
   }
   volume.OpenShared(request.geometry, request.layout, m_Suffix);

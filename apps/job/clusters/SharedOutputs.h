@@ -35,6 +35,12 @@ public:
   VoxelOutput &
   AddVolume(const VolumeRequest & request) override;
 
+  VoxelOutput *
+  AddVolumeOfEnd(const VolumeRequest & request) override
+  {
+    return m_Names ? OutputSet::AddVolumeOfEnd(request) : nullptr;
+  }
+
   OutputFile *
   AddFile(const std::string & fileName) override
   {

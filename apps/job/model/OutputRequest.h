@@ -61,7 +61,7 @@ struct VolumeRequest
   VoxelLayout    layout;
   TileWriter     write{ nullptr };
   VolumeFiller   filler{ VolumeFiller::Extraction };
-  bool           isPublished{ true }; ///< otherwise the file vanishes with the process
+  bool           isPublished{ true }; ///< otherwise a scratch file until the end of the run, or of the job
 };
 
 } // end namespace medialvoxel

@@ -102,6 +102,13 @@ ListVolumes(const TOptions & options, const VolumeHeader & input)
   return volumes;
 }
 
+/** The volume of all cells, beside the labels of which it is, until the end of the job has made them. */
+inline std::string
+GetCellsFile(const std::string & labels)
+{
+  return labels + ".cells.mha";
+}
+
 /** Their names, as they were given. */
 template <typename TOptions>
 std::vector<std::string>

@@ -160,8 +160,7 @@ void
 AddTopology(std::vector<OptionRow> & rows)
 {
   AddRow(rows, "--same-topology", "", Flag(&ExtractOptions::sameTopology))
-    .Of(Extractions, "Method")
-    .RefusedIn(Plan)
+    .OfJobs(Extractions, "Method")
     .Hidden()
     .Help("Add cells, so that the sheet has the object's topology",
           "They have the label 4. The labels 2, 3 and 4 together have as many parts, tunnels and cavities as the "

@@ -34,6 +34,7 @@ struct Footprint
   itk::MedialVoxelGrid         grid;
   std::vector<EngineFootprint> engines;              ///< they take turns on each piece; the extraction is the first
   std::uint64_t                beside{ 0 };          ///< independent of pieces
+  std::uint64_t                ofEnd{ 0 };           ///< of the end of the job, when the engines are gone
   std::uint64_t                perThread{ 0 };       ///< of threads that read, beyond their fixed share
   std::uint64_t                saving{ 0 };          ///< of a process that saves its results
   std::uint64_t                perVoxelOfUnion{ 0 }; ///< of the passes over a piece, beside its results; 0: one pass

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "OutputSet.h"
 
+#include "MeshPlacement.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -11,19 +13,26 @@ namespace medialvoxel
 VoxelOutput &
 OutputSet::AddVolume(const VolumeRequest & request)
 {
-  JobOptions options = m_Options;
+  JobOptions            options = m_Options;
+  std::filesystem::path fileName = request.fileName;
   if (!request.isPublished)
   {
     options.compression = Compression::Default; // it is read in any order
+    fileName = GetScratchFolder(options, request.fileName) / fileName.filename();
   }
-  VoxelOutput & volume =
-    this->TakeVolume(request.role, MakeVoxelOutput(request.fileName, options), request.isPublished);
+  VoxelOutput & volume = this->TakeVolume(request.role, MakeVoxelOutput(fileName, options), request.isPublished);
   volume.Create(request.geometry, request.layout);
   if (m_WritesBehind)
   {
     volume.BypassPageCacheWhenLarge();
   }
   return volume;
+}
+
+VoxelOutput *
+OutputSet::AddVolumeOfEnd(const VolumeRequest & request)
+{
+  return &OutputSet::AddVolume(request);
 }
 
 VoxelOutput &

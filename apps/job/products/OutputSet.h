@@ -36,6 +36,10 @@ public:
   virtual VoxelOutput &
   AddVolume(const VolumeRequest & request);
 
+  /** Creates a volume that the end of a job fills as a whole; null when the job does not end here. */
+  virtual VoxelOutput *
+  AddVolumeOfEnd(const VolumeRequest & request);
+
   /** The volume of a role; null when there is none. */
   const VoxelOutput *
   FindVolume(const std::string & role) const;

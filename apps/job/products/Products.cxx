@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Products.h"
 
-#include "MeshPlacement.h"
 #include "Outputs.h"
 #include "Report.h"
 #include "ResultViews.h"
@@ -27,7 +26,9 @@ public:
     : Product({})
     , m_Options(options)
     , m_Request(std::move(request))
-  {}
+  {
+    m_Links.request = &m_Request;
+  }
 
   void
   AddTo(Footprint & footprint, const VolumeHeader & header) const override
@@ -47,7 +48,6 @@ public:
   Start(ProductStart & start) override
   {
     m_Request.layout.segments = m_Request.filler == VolumeFiller::Objects ? &start.job.segments : nullptr;
-    m_Links.request = &m_Request;
   }
 
 private:
@@ -141,7 +141,7 @@ MakeDrawnLabels(const ExtractOptions & options, const VolumeHeader & header)
 {
   const std::string & file = options.previewFile.empty() ? options.htmlFile : options.previewFile;
   ExtractOptions      drawn;
-  drawn.output = GetScratchFolder(options, file) / (std::filesystem::path(file).filename().string() + ".labels.mha");
+  drawn.output = file + ".labels.mha";
   VolumeRequest request = ListVolumes(drawn, header).front();
   request.isPublished = false;
   return std::make_unique<VolumeProduct>(options, std::move(request));

@@ -6,13 +6,12 @@
 #include "JobClock.h"
 #include "MeshPlacement.h"
 #include "Options.h"
+#include "Outputs.h"
 #include "Text.h"
 #include "TopologyJson.h"
 #include "VolumeFormats.h"
 
-
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 #include <vector>
 
@@ -78,7 +77,9 @@ CheckMemory(const itk::MedialVoxelSameTopology & topology, const JobPlan & plan)
   if (plan.memory.limit != NoMemoryLimit && topology.GetHeldBytes() > allowed)
   {
     Fail(ExitStatus::Refused,
-         "the walls are so thick that the cells for the topology of the object need more than the ",
+         "walls thicker than ",
+         PlannedWallThickness,
+         " voxels, or noise: the cells for the topology of the object need more than the ",
          FormatBytes(allowed),
          " of memory that are left for them; allow more with --memory, or leave out --same-topology");
   }
@@ -92,23 +93,25 @@ TopologyProduct::TopologyProduct(const ExtractOptions & options, VolumeRequest l
   , m_Labels(std::move(labels))
   , m_Cells(m_Labels)
 {
-  const std::filesystem::path file = m_Labels.fileName;
   m_Cells.role = "cells";
-  m_Cells.fileName =
-    (GetScratchFolder(options, m_Labels.fileName) / (file.filename().string() + ".cells.mha")).string();
+  m_Cells.fileName = GetCellsFile(m_Labels.fileName);
   m_Cells.layout = CellLayout;
   m_Cells.write = WriteCells;
   m_Cells.isPublished = false;
+  m_Links.request = &m_Cells;
 }
 
 void
 TopologyProduct::AddTo(Footprint & footprint, const VolumeHeader & header) const
 {
   footprint.engines.front().perVoxel += CellLayout.GetBytes();
-  const std::uint64_t perVoxel = 2 * CellLayout.GetBytes() + m_Labels.layout.GetBytes() + 1; // and rows of bits
-  ProductFootprint    own;
-  own.beside = GetOutputMemory(m_Labels.fileName, header.geometry, m_Labels.layout, m_Options) +
-               perVoxel * header.geometry.GetVoxelsPerSlice();
+  const std::uint64_t        perVoxel = 2 * CellLayout.GetBytes() + m_Labels.layout.GetBytes();
+  const itk::MedialVoxelGrid grid = GetGrid(header);
+  footprint.ofEnd = perVoxel * header.geometry.GetVoxelsPerSlice() +
+                    itk::MedialVoxelSameTopology::GetUsualBytes(
+                      grid, GetParameters(m_Options, grid).maximumPoreSize, PlannedWallThickness);
+  ProductFootprint own;
+  own.beside = GetOutputMemory(m_Labels.fileName, header.geometry, m_Labels.layout, m_Options);
   own.scratch = { GetScratchFolder(m_Options, m_Labels.fileName),
                   header.geometry.GetNumberOfVoxels() * CellLayout.GetBytes() };
   footprint.Add(own);
@@ -116,16 +119,10 @@ TopologyProduct::AddTo(Footprint & footprint, const VolumeHeader & header) const
 }
 
 void
-TopologyProduct::Start(ProductStart &)
-{
-  m_Links.request = &m_Cells;
-}
-
-void
 TopologyProduct::MakeFile(OutputSet & outputs)
 {
   Product::MakeFile(outputs);
-  m_LabelVolume = &outputs.AddVolume(m_Labels);
+  m_LabelVolume = outputs.AddVolumeOfEnd(m_Labels);
 }
 
 void

@@ -27,9 +27,6 @@ public:
   }
 
   void
-  Start(ProductStart & start) override;
-
-  void
   MakeFile(OutputSet & outputs) override;
 
   void
@@ -39,7 +36,7 @@ private:
   const ExtractOptions & m_Options;
   VolumeRequest          m_Labels;
   VolumeRequest          m_Cells;
-  VoxelOutput *          m_LabelVolume{ nullptr };
+  VoxelOutput *          m_LabelVolume{ nullptr }; ///< null: other processes end the job
 };
 
 } // end namespace medialvoxel

@@ -19,7 +19,7 @@ namespace
 {
 
 /** Raise with every change of the meaning of the files of a job. */
-constexpr int ManifestFormat = 14;
+constexpr int ManifestFormat = 15;
 
 /** Calls use(row) for the options that a job keeps in this way. */
 template <typename TUse>

@@ -171,7 +171,8 @@ TryDivisions(JobPlan & plan, const Request & request, std::uint64_t slab)
     const std::uint64_t unitsPerPiece = std::min(slices / plan.sliceUnit, plan.GetNumberOfUnits());
     plan.divisions = (plan.GetNumberOfUnits() - 1) / unitsPerPiece + 1;
   }
-  plan.memory.planned = least + plan.GetResults(plan.GetSlicesAtOnce());
+  plan.memory.planned =
+    std::max(least + plan.GetResults(plan.GetSlicesAtOnce()), plan.memory.fixed + request.footprint.ofEnd);
   return plan.memory.planned <= plan.memory.limit;
 }
 
