@@ -4,6 +4,7 @@
 #include "ProcessMemory.h"
 #include "RimRays.h"
 #include "SheetMesh.h"
+#include "SheetObserver.h"
 #include "MeshReader.h"
 #include "SheetRemeshing.h"
 
@@ -49,7 +50,8 @@ MeshArray(const ArrayCall & call, const ExtractOptions & given, ArrayMesh & mesh
   engine.Prepare(object, options);
   const ArrayMeasure measure =
     engine.FindMeasure(object, MayMeasureOnGrayValues(options, call.header), "", options.materials);
-  SheetMesh surface(options, geometry, engine.GetGrid(), geometry.GetNumberOfVoxels() * SheetMesh::MostPending);
+  const std::uint64_t             pending = GetSheetFootprint(options, geometry, engine.GetGrid()).surplus.most;
+  SheetMesh                       surface(options, geometry, engine.GetGrid(), geometry.GetNumberOfVoxels() * pending);
   itk::MedialVoxelSheetExtraction extraction;
   extraction.parameters = GetParameters(options, engine.GetGrid());
   extraction.grayRange = measure.range;
