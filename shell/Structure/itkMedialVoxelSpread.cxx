@@ -29,10 +29,10 @@ MedialVoxelSpread::GetMiddle() const
   return m_Weight > 0.0 ? MedialVoxelAddScaled(m_Origin, m_Sum, 1.0 / m_Weight) : m_Origin;
 }
 
-MedialVoxelSpread::Matrix
+MedialVoxelMatrix3
 MedialVoxelSpread::GetCovariance() const
 {
-  Matrix covariance{};
+  MedialVoxelMatrix3 covariance{};
   for (unsigned int row = 0; m_Weight > 0.0 && row < 3; ++row)
   {
     for (unsigned int column = 0; column <= row; ++column)
@@ -49,7 +49,7 @@ bool
 MedialVoxelSpread::IsWithin(const double distance) const
 {
   // The least variance is above a value where the covariance less that value is positive definite.
-  Matrix rest = this->GetCovariance();
+  MedialVoxelMatrix3 rest = this->GetCovariance();
   for (unsigned int k = 0; k < 3; ++k)
   {
     rest[k][k] -= distance * distance;
@@ -63,41 +63,9 @@ MedialVoxelSpread::IsWithin(const double distance) const
 MedialVoxelSpread::Axes
 MedialVoxelSpread::FindAxes() const
 {
-  // Rotations of Jacobi; a dozen rounds are more than 3 rows need.
-  constexpr unsigned int rounds = 12;
-  Matrix                 a = this->GetCovariance();
-  Matrix                 axes{ { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } } };
-  for (unsigned int step = 0; step < 3 * rounds; ++step)
-  {
-    const unsigned int p = step % 3 == 2 ? 1 : 0;
-    const unsigned int q = step % 3 == 0 ? 1 : 2;
-    if (a[p][q] == 0.0)
-    {
-      continue;
-    }
-    const double ratio = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
-    const double tangent = (ratio < 0.0 ? -1.0 : 1.0) / (std::abs(ratio) + std::sqrt(ratio * ratio + 1.0));
-    const double cosine = 1.0 / std::sqrt(tangent * tangent + 1.0);
-    const double sine = tangent * cosine;
-    for (unsigned int k = 0; k < 3; ++k)
-    {
-      const double left = a[k][p];
-      const double right = a[k][q];
-      a[k][p] = cosine * left - sine * right;
-      a[k][q] = sine * left + cosine * right;
-    }
-    for (unsigned int k = 0; k < 3; ++k)
-    {
-      const double upper = a[p][k];
-      const double lower = a[q][k];
-      a[p][k] = cosine * upper - sine * lower;
-      a[q][k] = sine * upper + cosine * lower;
-      const double first = axes[p][k];
-      const double second = axes[q][k];
-      axes[p][k] = cosine * first - sine * second;
-      axes[q][k] = sine * first + cosine * second;
-    }
-  }
+  MedialVoxelMatrix3          a = this->GetCovariance();
+  const double                negligible = 1e-15 * (a[0][0] + a[1][1] + a[2][2]);
+  const MedialVoxelMatrix3    axes = MedialVoxelFindEigenvectors(a, negligible);
   std::array<unsigned int, 3> order{ { 0, 1, 2 } };
   std::stable_sort(
     order.begin(), order.end(), [&](const unsigned int i, const unsigned int k) { return a[i][i] < a[k][k]; });

@@ -3,6 +3,7 @@
 #ifndef itkMedialVoxelSpread_h
 #define itkMedialVoxelSpread_h
 
+#include "itkMedialVoxelEigenvectors.h"
 #include "itkMedialVoxelVector3.h"
 
 #include <array>
@@ -50,15 +51,13 @@ public:
   FindAxes() const;
 
 private:
-  using Matrix = std::array<std::array<double, 3>, 3>;
-
-  Matrix
+  MedialVoxelMatrix3
   GetCovariance() const;
 
-  Point  m_Origin;
-  double m_Weight{ 0 };
-  Point  m_Sum{};
-  Matrix m_Squares{};
+  Point              m_Origin;
+  double             m_Weight{ 0 };
+  Point              m_Sum{};
+  MedialVoxelMatrix3 m_Squares{};
 };
 
 } // end namespace itk

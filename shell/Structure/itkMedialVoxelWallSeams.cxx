@@ -101,7 +101,7 @@ private:
 
   /** Whether the line of a contact, by the first one of it, is a point. */
   std::vector<bool>
-  FindPoints(MedialVoxelDisjointSets & lines) const
+  FindPoints(MedialVoxelDisjointSets<Index> & lines) const
   {
     const auto                     count = static_cast<Index>(m_Contacts.size());
     std::vector<MedialVoxelSpread> spreads(count);

@@ -4,6 +4,7 @@
 #define itkMedialVoxelDisjointSets_h
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <vector>
@@ -15,19 +16,40 @@ namespace itk
  * \brief Sets of numbers that are joined two by two; the lowest number stands for its set.
  * \ingroup MedialVoxel
  */
+template <typename TNumber>
 class MedialVoxelDisjointSets
 {
 public:
-  using Index = std::uint32_t;
-
-  explicit MedialVoxelDisjointSets(const Index count)
-    : m_Parents(count)
+  explicit MedialVoxelDisjointSets(const TNumber count = 0)
+    : m_Parents(static_cast<std::size_t>(count))
   {
-    std::iota(m_Parents.begin(), m_Parents.end(), Index{ 0 });
+    std::iota(m_Parents.begin(), m_Parents.end(), TNumber{ 0 });
   }
 
-  Index
-  Find(Index number)
+  /** Adds a set of one number.
+   * \return it */
+  TNumber
+  Add()
+  {
+    m_Parents.push_back(static_cast<TNumber>(m_Parents.size()));
+    return m_Parents.back();
+  }
+
+  /** Of numbers, not of sets. */
+  std::size_t
+  GetSize() const
+  {
+    return m_Parents.size();
+  }
+
+  std::uint64_t
+  GetBytes() const
+  {
+    return m_Parents.capacity() * sizeof(TNumber);
+  }
+
+  TNumber
+  Find(TNumber number)
   {
     while (m_Parents[number] != number)
     {
@@ -37,16 +59,17 @@ public:
     return number;
   }
 
-  void
-  Join(const Index first, const Index second)
+  /** \return whether they were apart */
+  bool
+  Join(const TNumber first, const TNumber second)
   {
-    const Index a = this->Find(first);
-    const Index b = this->Find(second);
-    m_Parents[std::max(a, b)] = std::min(a, b);
+    const auto [low, high] = std::minmax({ this->Find(first), this->Find(second) });
+    m_Parents[high] = low;
+    return low != high;
   }
 
 private:
-  std::vector<Index> m_Parents;
+  std::vector<TNumber> m_Parents;
 };
 
 } // end namespace itk

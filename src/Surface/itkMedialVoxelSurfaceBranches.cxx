@@ -127,11 +127,7 @@ MedialVoxelSurfaceBranches::JoinSheets(const MedialVoxelSurfaceFaces & faces)
   const std::vector<bool>                           isEnd = this->FindEndsOfJunctions();
   std::unordered_map<SideType, IndexType, SideHash> open; // sides of which one face has come
   m_Flags.assign(m_Marks.size(), 0);
-  m_Parents.resize(m_Marks.size());
-  for (std::size_t i = 0; i < m_Parents.size(); ++i)
-  {
-    m_Parents[i] = static_cast<IndexType>(i);
-  }
+  m_Sheets = MedialVoxelDisjointSets<IndexType>(static_cast<IndexType>(m_Marks.size()));
   IndexType face = 0;
   faces.ForEachFace(false, [&](const VerticesType & vertices, const std::array<PointType, 4> &) {
     const Marks & marks = m_Marks[face];
@@ -151,7 +147,7 @@ MedialVoxelSurfaceBranches::JoinSheets(const MedialVoxelSurfaceFaces & faces)
       const auto [other, isNew] = open.emplace(side, face);
       if (!isNew)
       {
-        this->Join(face, other->second);
+        m_Sheets.Join(face, other->second);
         open.erase(other);
       }
     }
@@ -206,7 +202,7 @@ MedialVoxelSurfaceBranches::CollectFlags(const std::vector<float> & distances, c
   faces.ForEachFace(false, [&](const VerticesType & vertices, const std::array<PointType, 4> &) {
     const bool isLong = std::any_of(
       vertices.begin(), vertices.end(), [&](const std::uint64_t vertex) { return std::isinf(distances[vertex]); });
-    std::uint8_t & flags = m_Flags[this->RootOf(face)];
+    std::uint8_t & flags = m_Flags[m_Sheets.Find(face)];
     flags = static_cast<std::uint8_t>(flags | (isLong ? IsLong : 0) | (m_Marks[face].rimSides != 0 ? HasRim : 0) |
                                       (m_Marks[face].junctionSides != 0 ? HasJunction : 0));
     ++face;
@@ -220,7 +216,7 @@ MedialVoxelSurfaceBranches::MarkBridges()
   std::vector<std::pair<IndexType, SideType>> sides; // by sheet
   for (const JunctionSide & junction : m_Junctions)
   {
-    const IndexType root = this->RootOf(junction.face);
+    const IndexType root = m_Sheets.Find(junction.face);
     if ((m_Flags[root] & (HasRim | IsLong)) == HasRim)
     {
       sides.emplace_back(root, junction.side);
@@ -260,7 +256,7 @@ MedialVoxelSurfaceBranches::MarkBranches()
   for (std::size_t face = 0; face < m_Flags.size(); ++face)
   {
     checker.Count();
-    const std::uint8_t sheet = m_Flags[this->RootOf(static_cast<IndexType>(face))];
+    const std::uint8_t sheet = m_Flags[m_Sheets.Find(static_cast<IndexType>(face))];
     if ((sheet & (HasRim | HasJunction | IsLong | IsBridge)) == (HasRim | HasJunction))
     {
       m_Flags[face] |= IsBranch;
@@ -331,25 +327,6 @@ MedialVoxelSurfaceBranches::GetMarks(const std::uint64_t face, const Marks & bef
     }
   }
   return marks;
-}
-
-auto
-MedialVoxelSurfaceBranches::RootOf(IndexType face) -> IndexType
-{
-  while (m_Parents[face] != face)
-  {
-    m_Parents[face] = m_Parents[m_Parents[face]];
-    face = m_Parents[face];
-  }
-  return face;
-}
-
-/** The earlier root stays, so that paths lead to the beginning of the surface. */
-void
-MedialVoxelSurfaceBranches::Join(const IndexType face, const IndexType other)
-{
-  const auto [first, second] = std::minmax({ this->RootOf(face), this->RootOf(other) });
-  m_Parents[second] = first;
 }
 
 } // end namespace itk

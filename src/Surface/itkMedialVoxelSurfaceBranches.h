@@ -3,6 +3,8 @@
 #ifndef itkMedialVoxelSurfaceBranches_h
 #define itkMedialVoxelSurfaceBranches_h
 
+#include "itkMedialVoxelDisjointSets.h"
+
 #include "MedialVoxelExport.h"
 
 #include <array>
@@ -145,12 +147,6 @@ private:
   static SideType
   SideOf(const VerticesType & vertices, unsigned int number);
 
-  IndexType
-  RootOf(IndexType face);
-
-  void
-  Join(IndexType face, IndexType other);
-
   void
   JoinSheets(const MedialVoxelSurfaceFaces & faces);
 
@@ -176,13 +172,13 @@ private:
   std::vector<bool>
   FindEndsOfJunctions();
 
-  std::uint64_t             m_NumberOfVertices{ 0 };
-  std::vector<Marks>        m_Marks;   // of faces
-  std::vector<IndexType>    m_Parents; // of faces; the root of a sheet is its own one
-  std::vector<std::uint8_t> m_Flags;   // of faces, of sheets at their roots
-  std::vector<JunctionSide> m_Junctions;
-  std::vector<JunctionSide> m_EndSides; // of two faces, at the ends of junctions
-  std::vector<IndexType>    m_Numbers;  // of vertices among the kept ones
+  std::uint64_t                      m_NumberOfVertices{ 0 };
+  std::vector<Marks>                 m_Marks;  // of faces
+  MedialVoxelDisjointSets<IndexType> m_Sheets; // of faces; the first one stands for all, where paths lead to
+  std::vector<std::uint8_t>          m_Flags;  // of faces, of sheets at their roots
+  std::vector<JunctionSide>          m_Junctions;
+  std::vector<JunctionSide>          m_EndSides; // of two faces, at the ends of junctions
+  std::vector<IndexType>             m_Numbers;  // of vertices among the kept ones
 };
 
 } // end namespace itk

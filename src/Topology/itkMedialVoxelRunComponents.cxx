@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace itk
@@ -34,16 +33,15 @@ void
 MedialVoxelRunComponents::BeginSlice()
 {
   constexpr std::size_t    none = std::numeric_limits<std::size_t>::max();
-  std::vector<std::size_t> numbers(m_Parents.size(), none);
+  std::vector<std::size_t> numbers(m_Components.GetSize(), none);
   std::size_t              next = 0;
   for (Run & run : m_Own.runs)
   {
-    std::size_t & number = numbers[this->Find(run.component)];
+    std::size_t & number = numbers[m_Components.Find(run.component)];
     number = number == none ? next++ : number;
     run.component = number;
   }
-  m_Parents.resize(next);
-  std::iota(m_Parents.begin(), m_Parents.end(), std::size_t{ 0 });
+  m_Components = MedialVoxelDisjointSets<std::size_t>(next);
   std::swap(m_Own, m_Before);
   m_Own.runs.clear();
   m_Own.ends.clear();
@@ -61,8 +59,8 @@ MedialVoxelRunComponents::AddRow(const Row & row, const std::int64_t numberOfWor
     const WordType joined = row.toNext[word];
     for (WordType begins = points & ~((joined << 1) | carry); begins != 0; begins &= begins - 1)
     {
-      m_Own.runs.push_back({ word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(begins), 0, m_Parents.size() });
-      m_Parents.push_back(m_Parents.size());
+      m_Own.runs.push_back(
+        { word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(begins), 0, m_Components.Add() });
     }
     for (WordType ends = points & ~joined; ends != 0; ends &= ends - 1)
     {
@@ -83,24 +81,11 @@ MedialVoxelRunComponents::AddRow(const Row & row, const std::int64_t numberOfWor
   }
 }
 
-std::size_t
-MedialVoxelRunComponents::Find(std::size_t component)
-{
-  while (m_Parents[component] != component)
-  {
-    m_Parents[component] = m_Parents[m_Parents[component]];
-    component = m_Parents[component];
-  }
-  return component;
-}
-
 void
 MedialVoxelRunComponents::Join(Run & a, const Run & b)
 {
-  const auto [low, high] = std::minmax({ this->Find(a.component), this->Find(b.component) });
-  m_NumberOfComponents -= low == high ? 0 : 1;
-  m_Parents[high] = low;
-  a.component = low;
+  m_NumberOfComponents -= m_Components.Join(a.component, b.component) ? 1 : 0;
+  a.component = m_Components.Find(a.component);
 }
 
 /** Join the runs from \a first on with those of another row. */

@@ -4,6 +4,7 @@
 #define itkMedialVoxelRunComponents_h
 
 #include "itkMedialVoxelBits.h"
+#include "itkMedialVoxelDisjointSets.h"
 
 #include "MedialVoxelExport.h"
 
@@ -53,8 +54,7 @@ public:
   std::uint64_t
   GetBytes() const
   {
-    return (m_Own.runs.capacity() + m_Before.runs.capacity()) * sizeof(Run) +
-           m_Parents.capacity() * sizeof(std::size_t);
+    return (m_Own.runs.capacity() + m_Before.runs.capacity()) * sizeof(Run) + m_Components.GetBytes();
   }
 
 private:
@@ -72,19 +72,16 @@ private:
     std::vector<std::size_t> ends; ///< of the rows
   };
 
-  std::size_t
-  Find(std::size_t component);
-
   void
   Join(Run & a, const Run & b);
 
   void
   JoinRows(std::size_t first, const Slice & other, std::size_t row, const WordType * links);
 
-  Slice                    m_Own;
-  Slice                    m_Before;
-  std::vector<std::size_t> m_Parents;
-  std::int64_t             m_NumberOfComponents{ 0 };
+  Slice                                m_Own;
+  Slice                                m_Before;
+  MedialVoxelDisjointSets<std::size_t> m_Components;
+  std::int64_t                         m_NumberOfComponents{ 0 };
 };
 
 } // end namespace itk

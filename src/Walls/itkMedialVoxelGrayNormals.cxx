@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelGrayNormals.h"
 
+#include "itkMedialVoxelEigenvectors.h"
 #include "itkMedialVoxelLanes.h"
 #include "itkMedialVoxelNormalDistribution.h"
 
@@ -72,56 +73,18 @@ GetDifference(const float * const value, const std::size_t stride)
          (14.0F * (value[2 * stride] - *(value - 2 * stride)) - (value[3 * stride] - *(value - 3 * stride)));
 }
 
-/** A symmetric matrix. */
-using Matrix = std::array<std::array<double, 3>, 3>;
-
-/** The eigenvector of the largest eigenvalue of a matrix with the trace 1, by rotations of Jacobi in a fixed order. */
+/** The eigenvector of the largest eigenvalue of a symmetric matrix with the trace 1. */
 Vector
-FindFirstEigenvector(Matrix a)
+FindFirstEigenvector(MedialVoxelMatrix3 matrix)
 {
-  constexpr double negligible = 1e-15;
-  Matrix           vectors{ { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } } }; // columns
-  for (int sweep = 0; sweep < 6; ++sweep)
-  {
-    for (unsigned int p = 0; p < 2; ++p)
-    {
-      for (unsigned int q = p + 1; q < 3; ++q)
-      {
-        if (std::abs(a[p][q]) < negligible)
-        {
-          continue;
-        }
-        const double theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
-        const double t = (theta < 0.0 ? -1.0 : 1.0) / (std::abs(theta) + std::sqrt(theta * theta + 1.0));
-        const double c = 1.0 / std::sqrt(t * t + 1.0);
-        const double s = t * c;
-        for (unsigned int i = 0; i < 3; ++i)
-        {
-          const double ip = a[i][p];
-          const double iq = a[i][q];
-          a[i][p] = c * ip - s * iq;
-          a[i][q] = s * ip + c * iq;
-        }
-        for (unsigned int i = 0; i < 3; ++i)
-        {
-          const double pi = a[p][i];
-          const double qi = a[q][i];
-          a[p][i] = c * pi - s * qi;
-          a[q][i] = s * pi + c * qi;
-          const double ip = vectors[i][p];
-          const double iq = vectors[i][q];
-          vectors[i][p] = c * ip - s * iq;
-          vectors[i][q] = s * ip + c * iq;
-        }
-      }
-    }
-  }
-  unsigned int largest = 0;
+  constexpr double         negligible = 1e-15;
+  const MedialVoxelMatrix3 vectors = MedialVoxelFindEigenvectors(matrix, negligible);
+  unsigned int             largest = 0;
   for (unsigned int i = 1; i < 3; ++i)
   {
-    largest = a[i][i] > a[largest][largest] ? i : largest;
+    largest = matrix[i][i] > matrix[largest][largest] ? i : largest;
   }
-  return { { vectors[0][largest], vectors[1][largest], vectors[2][largest] } };
+  return vectors[largest];
 }
 
 /** exp(-d^2 / (2 sigma^2)), but for a factor. */
