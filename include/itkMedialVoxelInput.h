@@ -9,6 +9,7 @@
 #include "itkMedialVoxelObjectMap.h"
 #include "itkMedialVoxelRoughness.h"
 #include "itkMedialVoxelScanSurvey.h"
+#include "itkMedialVoxelSmoothingLevel.h"
 #include "itkMedialVoxelValueSource.h"
 
 #include "MedialVoxelExport.h"
@@ -92,7 +93,15 @@ public:
     m_LookedFor = { grid, maximum };
   }
 
-  /** Measures the roughness where the smoothing is automatic, and the thick walls that are looked for. */
+  /** Take a level that was measured before. */
+  void
+  UseSmoothingLevel(const std::optional<MedialVoxelSmoothingLevel> & level)
+  {
+    m_Level = level;
+  }
+
+  /** Measures the roughness where the smoothing is automatic, the level of smoothed values where it is needed and not
+   * known, and the thick walls that are looked for. */
   void
   Prepare(const Observer & observer) override;
 
@@ -109,6 +118,13 @@ public:
   GetRoughness() const
   {
     return m_Roughness;
+  }
+
+  /** Where the object is smoothed, after Prepare(). */
+  const std::optional<MedialVoxelSmoothingLevel> &
+  GetSmoothingLevel() const
+  {
+    return m_Level;
   }
 
   /** Known after Prepare(). */
@@ -146,12 +162,21 @@ private:
     double          maximum;
   };
 
-  MedialVoxelBox                      m_Image;
-  MedialVoxelObjectRule               m_Rule;
-  MedialVoxelEnums::Smoothing         m_Smoothing;
-  std::optional<MedialVoxelRoughness> m_Roughness;
-  std::optional<LookedFor>            m_LookedFor;
-  std::optional<double>               m_NeededMaximum;
+  /** Roughness and thick walls, in one pass. */
+  void
+  ExamineObject(bool measuresRoughness, const Observer & observer);
+
+  /** Reads values until no further one changes the level. */
+  MedialVoxelSmoothingLevel
+  FindSmoothingLevel(const Observer & observer);
+
+  MedialVoxelBox                           m_Image;
+  MedialVoxelObjectRule                    m_Rule;
+  MedialVoxelEnums::Smoothing              m_Smoothing;
+  std::optional<MedialVoxelRoughness>      m_Roughness;
+  std::optional<MedialVoxelSmoothingLevel> m_Level;
+  std::optional<LookedFor>                 m_LookedFor;
+  std::optional<double>                    m_NeededMaximum;
 };
 
 /** \class MedialVoxelLabelInput

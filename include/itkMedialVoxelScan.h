@@ -42,6 +42,12 @@ struct MedialVoxelScanResult
   std::optional<MedialVoxelScan> scan{};
   std::string                    reason{};        ///< empty with a scan
   bool                           isMask{ false }; ///< or a label map, whose walls are measured on the object
+
+  static MedialVoxelScanResult
+  OfMask()
+  {
+    return { std::nullopt, "the values are those of a mask or a label map", true };
+  }
 };
 
 } // end namespace itk

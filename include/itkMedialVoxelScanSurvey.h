@@ -42,8 +42,9 @@ struct MedialVoxel_EXPORT MedialVoxelScanLevels
  * - The noise is 1.4826 times the median deviation of the background. Its correlation is the largest ratio of the
  *   variance of means over 3^D and 5^D voxels of the background to that of independent values.
  * - The blur is the median of fits to surfaces of walls of at least 5 voxels.
- * - It is a mask or a label map where most faces between object and background are sharp: the values do not change from
- *   the voxels at the face to the voxels behind them. One of four object voxels is looked at.
+ * - It is a mask or a label map where background or object have one value only, or where most faces between them are
+ *   sharp: the values do not change from the voxels at the face to the voxels behind them. One of four object voxels
+ *   is looked at.
  *
  * Of a large volume, it samples some blocks and some of their voxels, chosen by their place, so results do not depend
  * on how the volume is divided. Axes with one voxel do not count.

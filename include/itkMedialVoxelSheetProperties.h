@@ -30,9 +30,9 @@ namespace itk
  * adds medial cells.
  *
  * \par Smoothing
- * With the Smoothing On, the values are smoothed before they are compared with the threshold. When there are two
- * thresholds, an ObjectValue or none of them, the mask is. Walls from 2 voxels on and edges stay in place;
- * MedialVoxelSmoothingNumbers has the definition. Automatic smooths when the object is rough.
+ * With the Smoothing On, the values of a scan are smoothed, and of everything else the mask: MedialVoxelSmoothingLevel
+ * tells them apart. Walls from 2 voxels on and edges stay in place; MedialVoxelSmoothingNumbers has the definition.
+ * Automatic smooths when the object is rough.
  *
  * \par Pores and dust
  * With MaximumPoreSize K, each connected component of the background of at most K voxels becomes object first. Then

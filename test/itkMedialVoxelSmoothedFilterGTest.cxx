@@ -82,6 +82,22 @@ Step(const TReal * image)
   return result;
 }
 
+/** The middle between the values of a threshold, of which the object has one. */
+template <typename TImage>
+double
+FindLevel(const TImage * image, const double threshold, const bool objectIsAbove)
+{
+  double below = -std::numeric_limits<double>::infinity();
+  double above = std::numeric_limits<double>::infinity();
+  for (itk::ImageRegionConstIterator<TImage> it(image, image->GetBufferedRegion()); !it.IsAtEnd(); ++it)
+  {
+    const auto value = static_cast<double>(it.Get());
+    const bool isAbove = objectIsAbove ? value >= threshold : value > threshold;
+    (isAbove ? above : below) = isAbove ? std::min(above, value) : std::max(below, value);
+  }
+  return (below + above) / 2;
+}
+
 /** The mask of what is object of F of value(pixel). */
 template <typename TImage, typename TValue, typename TIsObject>
 auto
@@ -145,10 +161,12 @@ TestRules()
   const auto value = [](TPixel pixel) { return static_cast<double>(pixel); };
   const auto lower = MakeFilter(image.GetPointer(), Smoothing::On);
   lower->SetLowerThreshold(150);
-  ExpectThatOf(*lower, MakeSmoothedMask(image.GetPointer(), value, [](double f) { return f >= 150; }));
+  const double lowerLevel = FindLevel(image.GetPointer(), 150, true);
+  ExpectThatOf(*lower, MakeSmoothedMask(image.GetPointer(), value, [&](double f) { return f >= lowerLevel; }));
   const auto upper = MakeFilter(image.GetPointer(), Smoothing::On);
   upper->SetUpperThreshold(130);
-  ExpectThatOf(*upper, MakeSmoothedMask(image.GetPointer(), value, [](double f) { return f <= 130; }));
+  const double upperLevel = FindLevel(image.GetPointer(), 130, false);
+  ExpectThatOf(*upper, MakeSmoothedMask(image.GetPointer(), value, [&](double f) { return f <= upperLevel; }));
   const auto range = MakeFilter(image.GetPointer(), Smoothing::On);
   range->SetLowerThreshold(150);
   range->SetUpperThreshold(240);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelRoughness.h"
 #include "itkMedialVoxelSmoother.h"
+#include "itkMedialVoxelValueSides.h"
 
 #include <gtest/gtest.h>
 
@@ -151,15 +152,12 @@ TestValues(double low, double high)
       // On a value that occurs, also as a limit between two integers.
       for (const double threshold : { (low + high) / 2, (low + high) / 2 - 0.25, low, high })
       {
-        const bool isReal = std::is_floating_point<TPixel>::value;
-        const auto first = static_cast<long double>(isReal ? threshold : std::ceil(threshold));
-        const auto last = static_cast<long double>(isReal ? threshold : std::floor(threshold));
-        const Box  box = PickBox(random, size);
-        ExpectObject(RunSmoother(volume, Rule::FromLower(threshold), box), size, [&](std::size_t i) {
-          return smoothed[i] >= first;
+        const Box box = PickBox(random, size);
+        ExpectObject(RunSmoother(volume, Rule(threshold, true), box), size, [&](std::size_t i) {
+          return smoothed[i] >= threshold;
         });
-        ExpectObject(RunSmoother(volume, Rule::FromUpper(threshold), box), size, [&](std::size_t i) {
-          return smoothed[i] <= last;
+        ExpectObject(RunSmoother(volume, Rule(threshold, false), box), size, [&](std::size_t i) {
+          return smoothed[i] <= threshold;
         });
       }
     }
@@ -220,8 +218,7 @@ TEST(MedialVoxelSmoother, ValuesThatAreNotFiniteCountAsTheThreshold)
   const auto smoothed = Smooth(values, volume.size);
   for (const bool isLower : { true, false })
   {
-    const auto rule = isLower ? Rule::FromLower(threshold) : Rule::FromUpper(threshold);
-    ExpectObject(RunSmoother(volume, rule, volume.GetBox()), volume.size, [&](std::size_t i) {
+    ExpectObject(RunSmoother(volume, Rule(threshold, isLower), volume.GetBox()), volume.size, [&](std::size_t i) {
       return !std::isnan(volume.pixels[i]) && (isLower ? smoothed[i] >= threshold : smoothed[i] <= threshold);
     });
   }
@@ -234,9 +231,83 @@ TEST(MedialVoxelSmoother, EqualValuesStay)
   const auto count = [&](const Rule & rule) {
     return RunSmoother(volume, rule, volume.GetBox()).Count(volume.GetBox());
   };
-  EXPECT_EQ(count(Rule::FromLower(0.2)), 0u);
-  EXPECT_EQ(count(Rule::FromLower(0.05)), 27000u);
-  EXPECT_EQ(count(Rule::FromUpper(0.2)), 27000u);
+  EXPECT_EQ(count(Rule(0.2, true)), 0u);
+  EXPECT_EQ(count(Rule(0.05, true)), 27000u);
+  EXPECT_EQ(count(Rule(0.2, false)), 27000u);
+}
+
+TEST(MedialVoxelValueSides, TheLevelFollowsFromAllVoxels)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  using Predicate = itk::MedialVoxelObjectPredicate<double>;
+  std::mt19937 random(8);
+  for (int repetition = 0; repetition < 2000; ++repetition)
+  {
+    const auto          pick = [&](const int most) { return std::uniform_int_distribution<int>(0, most)(random); };
+    const int           numberOfValues = 1 + pick(5);
+    const int           lower = pick(6);
+    const int           upper = repetition % 2 == 0 ? 6 : lower + pick(3);
+    std::vector<double> values(static_cast<std::size_t>(1 + pick(12)));
+    std::generate(values.begin(), values.end(), [&] { return pick(numberOfValues) * 0.5 + pick(1); });
+    std::vector<double> sides[2];
+    for (const double value : values)
+    {
+      sides[value >= lower && value <= upper ? 1 : 0].push_back(value);
+    }
+    bool   hasSeveral[2];
+    double lowest[2];
+    double highest[2];
+    for (const int side : { 0, 1 })
+    {
+      std::sort(sides[side].begin(), sides[side].end());
+      hasSeveral[side] = !sides[side].empty() && sides[side].front() < sides[side].back();
+      lowest[side] = hasSeveral[side] ? sides[side].front() : 0.0;
+      highest[side] = hasSeveral[side] ? sides[side].back() : 0.0;
+    }
+    values.insert(values.begin() + pick(1), { infinity, -infinity, std::nan("") });
+    itk::MedialVoxelValueSides together;
+    itk::MedialVoxelValueSides one;
+    const Predicate            isObject = Predicate::InRange(lower, upper);
+    const auto                 cut = static_cast<std::int64_t>(values.size() / 2);
+    const auto                 size = static_cast<std::int64_t>(values.size());
+    one.Add(values.data() + cut, size - cut, isObject);
+    const bool wasDecided = one.AreDecided(false);
+    const auto before = one.GetLevel();
+    together.Add(values.data(), cut, isObject);
+    together += one;
+    const auto level = together.GetLevel();
+    if (wasDecided)
+    {
+      EXPECT_EQ(level.value, before.value);
+    }
+    const bool isAbove = lowest[1] > highest[0];
+    const bool isBelow = highest[1] < lowest[0];
+    if (!hasSeveral[0] || !hasSeveral[1] || !(isAbove || isBelow))
+    {
+      EXPECT_FALSE(level.value);
+      continue;
+    }
+    ASSERT_TRUE(level.value);
+    EXPECT_EQ(level.objectIsAbove, isAbove);
+    EXPECT_EQ(*level.value, isAbove ? (lowest[1] + highest[0]) / 2 : (highest[1] + lowest[0]) / 2);
+  }
+}
+
+TEST(MedialVoxelValueSides, WholeNumbersAreDecidedSoon)
+{
+  using Predicate = itk::MedialVoxelObjectPredicate<short>;
+  const auto decide = [](const std::vector<short> & values, const double lower, const double upper) {
+    itk::MedialVoxelValueSides sides;
+    sides.Add(values.data(), static_cast<std::int64_t>(values.size()), Predicate::InRange(lower, upper));
+    return sides.AreDecided(true);
+  };
+  EXPECT_TRUE(decide({ 3, 4, 5, 6 }, 5, 9));
+  EXPECT_FALSE(decide({ 3, 5, 6 }, 5, 9));
+  EXPECT_FALSE(decide({ 4, 5, 6 }, 5, 9));
+  EXPECT_FALSE(decide({ 3, 4, 5 }, 5, 9));
+  EXPECT_TRUE(decide({ 3, 4, 5, 6 }, -9, 4));
+  EXPECT_TRUE(decide({ 1, 5, 9 }, 4, 6));
+  EXPECT_FALSE(decide({}, 4, 6));
 }
 
 TEST(MedialVoxelRoughness, CountsFollowTheDefinition)

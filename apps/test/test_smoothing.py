@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Labels of a smoothed object are those of a mask that was smoothed by the definition, for any input and division."""
 
+import hashlib
 import json
 import math
 import random
@@ -35,6 +36,13 @@ def smooth(values, size):
 
 
 SCALE = 64**4
+
+
+def level(values, is_object):
+    """The middle between the nearest values of object and background, where one side is above the other."""
+    sides = [sorted({v for v in values if is_object(v) == side}) for side in (False, True)]
+    background, material = sides if sides[0][0] < sides[1][0] else sides[::-1]
+    return (background[-1] + material[0]) / 2
 
 
 def measure_roughness(mask, size):
@@ -87,6 +95,10 @@ class SmoothingTest(ProgramTestCase):
         volume.voxels = [int(is_object) for is_object in mask]
         volumes.write_meta(self.folder / "mask.mha", volume)
 
+    def smoothed_mask(self, threshold=1100):
+        limit = level(self.volume.voxels, lambda v: v >= threshold) * SCALE
+        return [v >= limit for v in smooth(self.volume.voxels, self.volume.size)]
+
     def expect(self, mask, *arguments):
         self.write_mask(mask)
         return self.run_extract("mask.mha", "--smooth", "off", *arguments)
@@ -102,17 +114,75 @@ class SmoothingTest(ProgramTestCase):
     def test_values_and_masks(self):
         values, size = self.volume.voxels, self.volume.size
         volumes.write_meta(self.folder / "in.mha", self.volume)
-        smoothed = smooth(values, size)
         on = ("--smooth", "on")
-        self.check("in.mha", [v >= 1101 * SCALE for v in smoothed], "--lower", 1100.25, *on)
-        self.check("in.mha", [v <= 1050 * SCALE for v in smoothed], "--upper", 1050, *on)
+        self.check("in.mha", self.smoothed_mask(1100.25), "--lower", 1100.25, *on)
+        limit = level(values, lambda v: v <= 1050) * SCALE
+        self.check("in.mha", [v <= limit for v in smooth(values, size)], "--upper", 1050, *on)
         mask = [2 * v >= SCALE for v in smooth([1090 <= v <= 1300 for v in values], size)]
         self.check("in.mha", mask, "--lower", 1090, "--upper", 1300, *on)
         mask = [2 * v >= SCALE for v in smooth([v != 0 for v in values], size)]
         self.check("in.mha", mask, *on)
 
+    def assert_same(self, runs):
+        """Labels and what is told about walls."""
+        results = []
+        for name, *options in runs:
+            labels, report = self.run_extract(name, *options)
+            self.assertTrue(report["smoothed"])
+            results.append((hashlib.sha256(bytes(labels)).hexdigest(), report["measure"]["on"], report["thickness"]))
+            self.assertEqual(results[-1], results[0], (name, options))
+
+    def write(self, name, kind, values):
+        volume = volumes.Volume(self.volume.size, values, (1, 1, 1), kind)
+        volumes.write_nrrd(self.folder / name, volume)
+
+    def test_a_mask_has_one_answer_for_any_values_and_thresholds(self):
+        for share in (0.05, 0.2):
+            dice = random.Random(3)
+            # A wall of 7 voxels, of which some flip.
+            mask = [abs(x - 20 + y / 3 - 6) <= 3.5 for x, y, z in self.volume.indices()]
+            mask = [value != (dice.random() < share) for value in mask]
+            self.write("a.nrrd", "uint8", [255 * value for value in mask])
+            self.write("b.nrrd", "int16", [100 if value else 2100 for value in mask])
+            self.write("c.nrrd", "float64", [0.75 if value else -3 for value in mask])
+            self.write("d.nrrd", "int32", [7 if value else -2000000000 for value in mask])
+            self.write("e.nrrd", "uint16", [dice.randint(1, 3) if value else 0 for value in mask])
+            self.assert_same((
+                ("a.nrrd",), ("a.nrrd", "--lower", 255), ("a.nrrd", "--lower", 1), ("a.nrrd", "--lower", 0.5),
+                ("a.nrrd", "--lower", "otsu"), ("a.nrrd", "--label", 255), ("a.nrrd", "--lower", 99, "--upper", 300),
+                ("b.nrrd", "--upper", 100), ("b.nrrd", "--upper", 2099.5), ("b.nrrd", "--label", 100),
+                ("c.nrrd", "--lower", 0.75), ("c.nrrd", "--lower", -2.999), ("d.nrrd", "--lower", 7),
+                ("d.nrrd", "--lower", -1e9, "--divisions", 3, "--threads", 2),
+                ("e.nrrd",), ("e.nrrd", "--lower", 1), ("e.nrrd", "--lower", 0.01), ("e.nrrd", "--lower", 1, "--upper", 3),
+            ))  # fmt: skip
+
+    def test_thresholds_between_the_same_values_are_one(self):
+        even = [v // 2 * 2 for v in self.volume.voxels]
+        self.write("even.nrrd", "uint16", even)
+        self.write("far.nrrd", "float32", [(v - 1000) * 0.25 for v in even])
+        self.write("turned.nrrd", "int16", [-v for v in even])
+        labels = []
+        for name, *options in (
+            ("even.nrrd", "--lower", 1099), ("even.nrrd", "--lower", 1100), ("even.nrrd", "--lower", 1098.5),
+            ("even.nrrd", "--lower", 1100, "--upper", 65535), ("far.nrrd", "--lower", 25), ("far.nrrd", "--lower", 24.6),
+            ("turned.nrrd", "--upper", -1100), ("turned.nrrd", "--upper", -1099), ("turned.nrrd", "--lower", -9999, "--upper", -1099),
+        ):  # fmt: skip
+            labels.append(hashlib.sha256(bytes(self.run_extract(name, *options)[0])).hexdigest())
+            self.assertEqual(labels[-1], labels[0], (name, options))
+
+    def test_jobs_smooth_as_one_run(self):
+        self.write("scan.nrrd", "uint16", self.volume.voxels)
+        self.write("mask.nrrd", "uint8", [255 * (v >= 1100) for v in self.volume.voxels])
+        for name, lower in (("scan.nrrd", 1100), ("mask.nrrd", 200)):
+            expected, _ = self.run_extract(name, "--lower", lower, "--smooth", "on")
+            for kind in ("on", "auto"):
+                self.run_program("plan", name, "j.mha", f"job-{name}-{kind}", "--lower", lower, "--smooth", kind, "--divisions", 3, "--overwrite")
+                self.run_program("work", f"job-{name}-{kind}")
+                self.run_program("finalize", f"job-{name}-{kind}", "--overwrite")
+                self.assertTrue(volumes.read_data(self.folder / "j.mha") == expected, (name, kind))
+
     def test_every_way_of_reading(self):
-        mask = [v >= 1100 * SCALE for v in smooth(self.volume.voxels, self.volume.size)]
+        mask = self.smoothed_mask()
         expected, wanted = self.expect(mask)
         volumes.write_meta(self.folder / "in.mha", self.volume)
         volumes.write_meta(self.folder / "swapped.mha", self.volume, big_endian=True)
@@ -128,12 +198,12 @@ class SmoothingTest(ProgramTestCase):
         for name, *options in runs:
             for kind in ("on", "auto"):
                 found, report = self.run_extract(name, "--lower", 1100, "--smooth", kind, *options)
-                self.assertEqual(found, expected, (name, options))
+                self.assertEqual(found, expected, (name, kind, options))
                 self.assertEqual(report["counts"], wanted["counts"])
 
     def test_chunks(self):
         volumes.write_meta(self.folder / "in.mha", self.volume)
-        mask = [v >= 1100 * SCALE for v in smooth(self.volume.voxels, self.volume.size)]
+        mask = self.smoothed_mask()
         self.write_mask(mask)
         self.run_program("extract", "mask.mha", "a.zarr", "--smooth", "off")
         expected = volumes.read_data
@@ -186,7 +256,7 @@ class SmoothingTest(ProgramTestCase):
         self.volume = noisy_wall((60, 50, 1))
         picture = volumes.Volume((60, 50), self.volume.voxels, (0.5, 0.5), "uint16")
         volumes.write_nrrd(self.folder / "in.nrrd", picture)
-        mask = [v >= 1100 * SCALE for v in smooth(self.volume.voxels, self.volume.size)]
+        mask = self.smoothed_mask()
         flat = volumes.Volume((60, 50), [int(value) for value in mask], (0.5, 0.5), "uint8")
         volumes.write_nrrd(self.folder / "mask.nrrd", flat)
         expected, _ = self.run_extract("mask.nrrd", "--smooth", "off")

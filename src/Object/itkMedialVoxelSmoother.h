@@ -4,7 +4,6 @@
 #define itkMedialVoxelSmoother_h
 
 #include "itkMedialVoxelBits.h"
-#include "itkMedialVoxelExactNumber.h"
 #include "itkMedialVoxelObjectPredicate.h"
 #include "itkMedialVoxelRows.h"
 
@@ -146,19 +145,12 @@ public:
   using FirstType = std::conditional_t<IsShort, std::int32_t, SumType>;
   using ThirdType = std::conditional_t<sizeof(TPixel) == 1, std::int32_t, SumType>;
 
-  /** Object are the values from \a limit on. It is finite. */
-  static MedialVoxelValueSmoothing
-  FromLower(const MedialVoxelExactNumber & limit)
-  {
-    return MedialVoxelValueSmoothing(1, limit.GetFirstDouble(), GetFirst(limit));
-  }
-
-  /** Object are the values up to \a limit. It is finite. */
-  static MedialVoxelValueSmoothing
-  FromUpper(const MedialVoxelExactNumber & limit)
-  {
-    return MedialVoxelValueSmoothing(-1, limit.GetLastDouble(), GetLast(limit));
-  }
+  /** Object are the values from a finite \a threshold on, or those up to it. */
+  MedialVoxelValueSmoothing(const double threshold, const bool objectIsAbove)
+    : m_Sign(objectIsAbove ? 1 : -1)
+    , m_Threshold(threshold)
+    , m_Limit(static_cast<SumType>(threshold * static_cast<double>(MedialVoxelSmoothingNumbers::Scale)))
+  {}
 
   void
   GetValues(const TPixel * const pixels, const std::int64_t count, FirstType * const values) const
@@ -189,64 +181,10 @@ public:
   }
 
 private:
-  MedialVoxelValueSmoothing(const int sign, const double threshold, const SumType limit)
-    : m_Sign(sign)
-    , m_Threshold(threshold)
-    , m_Limit(limit)
-  {}
-
-  /** Between two integers the threshold is the next one inside; beyond the type it is the same number for F. */
-  static SumType
-  GetFirst(const MedialVoxelExactNumber & limit)
-  {
-    return ScaleThreshold(std::is_integral<TPixel>::value ? std::ceil(limit.GetFirstDouble()) : limit.GetFirstDouble());
-  }
-  static SumType
-  GetLast(const MedialVoxelExactNumber & limit)
-  {
-    return ScaleThreshold(std::is_integral<TPixel>::value ? std::floor(limit.GetLastDouble()) : limit.GetLastDouble());
-  }
-
-  static SumType
-  ScaleThreshold(const double threshold)
-  {
-    // No sum of 32-bit values is beyond these.
-    constexpr double largest = 1LL << 36;
-    const double     scale = static_cast<double>(MedialVoxelSmoothingNumbers::Scale);
-    return static_cast<SumType>((IsLong ? std::max(-largest, std::min(threshold, largest)) : threshold) * scale);
-  }
-
   int     m_Sign;
   double  m_Threshold;
   SumType m_Limit;
 };
-
-/** \brief Call \a function(rule) with the rule for an object: values when there is one finite threshold, otherwise the
- * mask of \a predicate.
- * \ingroup MedialVoxel
- */
-template <typename TPixel, typename TFunction>
-void
-MedialVoxelWithSmoothingRule(const MedialVoxelObjectPredicate<TPixel> & predicate,
-                             const MedialVoxelExactNumber &             lower,
-                             const MedialVoxelExactNumber &             upper,
-                             TFunction &&                               function)
-{
-  const bool hasLower = std::isfinite(lower.GetNearestDouble());
-  const bool hasUpper = std::isfinite(upper.GetNearestDouble());
-  if (hasLower && !hasUpper)
-  {
-    function(MedialVoxelValueSmoothing<TPixel>::FromLower(lower));
-  }
-  else if (hasUpper && !hasLower)
-  {
-    function(MedialVoxelValueSmoothing<TPixel>::FromUpper(upper));
-  }
-  else
-  {
-    function(MedialVoxelMaskSmoothing<TPixel>(predicate));
-  }
-}
 
 /** \class MedialVoxelSmoother
  * \brief The object bits of the smoothed values of a box. One thread has one.

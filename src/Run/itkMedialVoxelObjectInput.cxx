@@ -7,6 +7,7 @@
 #include "itkMedialVoxelProgress.h"
 #include "itkMedialVoxelSmoother.h"
 #include "itkMedialVoxelThickWalls.h"
+#include "itkMedialVoxelValueSides.h"
 
 #include <algorithm>
 #include <cassert>
@@ -145,10 +146,19 @@ void
 MedialVoxelObjectInput::Prepare(const Observer & observer)
 {
   const bool measuresRoughness = m_Smoothing == Smoothing::Automatic;
-  if (!measuresRoughness && !m_LookedFor)
+  if (measuresRoughness || m_LookedFor)
   {
-    return;
+    this->ExamineObject(measuresRoughness, observer);
   }
+  if (this->IsSmoothed() && !m_Level)
+  {
+    m_Level = this->FindSmoothingLevel(observer);
+  }
+}
+
+void
+MedialVoxelObjectInput::ExamineObject(const bool measuresRoughness, const Observer & observer)
+{
   MedialVoxelValueSource & source = this->GetSource();
   const Smoothing          smoothing = std::exchange(m_Smoothing, Smoothing::Off);
   MedialVoxelObjectPass    pass;
@@ -185,6 +195,46 @@ MedialVoxelObjectInput::Prepare(const Observer & observer)
   }
 }
 
+MedialVoxelSmoothingLevel
+MedialVoxelObjectInput::FindSmoothingLevel(const Observer & observer)
+{
+  constexpr std::int64_t slicesPerStep = 16;
+  if (m_Rule.background || m_Rule.lower == m_Rule.upper)
+  {
+    return {}; // one side has one value
+  }
+  MedialVoxelValueSource & source = this->GetSource();
+  return MedialVoxelWithValueType(source.GetValueType(), [&](const auto zero) {
+    using ValueType = std::decay_t<decltype(zero)>;
+    const auto            predicate = MakePredicate<ValueType>(m_Rule);
+    MedialVoxelValueSides sides;
+    std::mutex            mutex;
+    const auto            add = [&](const MedialVoxelBox & span, const MedialVoxelValueView & view) {
+      MedialVoxelCheckAbort();
+      MedialVoxelValueSides ofSpan;
+      MedialVoxelForEachRow(span, view.strides, [&](const std::int64_t offset, const MedialVoxelBox & row) {
+        ofSpan.Add(static_cast<const ValueType *>(view.values) + offset, row.Extent(0), predicate);
+      });
+      const std::lock_guard<std::mutex> lock(mutex);
+      sides += ofSpan;
+    };
+    const std::int64_t step = std::max(slicesPerStep, source.GetSlicesReadTogether());
+    for (MedialVoxelBox read = m_Image; read.lower[2] < m_Image.upper[2]; read.lower[2] = read.upper[2])
+    {
+      observer(1.0);
+      read.upper[2] = std::min(read.lower[2] + step, m_Image.upper[2]);
+      source.ForEach(MedialVoxelObjectPass::Cut(read, source.GetRowsReadTogether()), 0, [&](const auto & part) {
+        source.ForEachSpan(part, add);
+      });
+      if (sides.AreDecided(std::is_integral<ValueType>::value))
+      {
+        break;
+      }
+    }
+    return sides.GetLevel();
+  });
+}
+
 std::int64_t
 MedialVoxelObjectInput::GetRowsReadTogether() const
 {
@@ -208,9 +258,15 @@ MedialVoxelObjectInput::Fill(const MedialVoxelBox & box, const MedialVoxelTarget
       });
       return;
     }
-    MedialVoxelWithSmoothingRule(predicate, m_Rule.lower, m_Rule.upper, [&](const auto & rule) {
-      FillSmoothed(source, m_Image, box, rule, predicate, targets);
-    });
+    const auto fill = [&](const auto & rule) { FillSmoothed(source, m_Image, box, rule, predicate, targets); };
+    if (m_Level->value)
+    {
+      fill(MedialVoxelValueSmoothing<ValueType>(*m_Level->value, m_Level->objectIsAbove));
+    }
+    else
+    {
+      fill(MedialVoxelMaskSmoothing<ValueType>(predicate));
+    }
   });
 }
 
@@ -238,7 +294,11 @@ MedialVoxelObjectInput::SurveyScan(const MedialVoxelGrid &                      
   constexpr unsigned int mostThreads = 5;
   if (std::isfinite(lower) == std::isfinite(upper))
   {
-    return { {}, "there are two thresholds" };
+    return { std::nullopt, "there are two thresholds" };
+  }
+  if (this->IsSmoothed() && !m_Level->value)
+  {
+    return MedialVoxelScanResult::OfMask();
   }
   MedialVoxelScanSurvey::Source source;
   source.fill = [this](const auto & box, auto & object, auto & gray) { this->Fill(box, { &object, nullptr, &gray }); };

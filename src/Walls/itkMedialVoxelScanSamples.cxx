@@ -204,9 +204,9 @@ MedialVoxelSummarizeScan(MedialVoxelScanSamples &                     samples,
                          const double                                 threshold,
                          const std::optional<MedialVoxelScanLevels> & levels)
 {
-  if (2 * samples.faces.sharp >= samples.faces.all)
+  if (!samples.sides.HaveSeveral() || 2 * samples.faces.sharp >= samples.faces.all)
   {
-    return { std::nullopt, "the values are those of a mask or a label map", true };
+    return MedialVoxelScanResult::OfMask();
   }
   const std::vector<BackgroundSample> background = SelectBackground(samples.background.Take());
   const std::vector<MaterialSample>   material = samples.material.Take();

@@ -6,6 +6,7 @@
 #include "itkMedialVoxelGrayLocal.h"
 #include "itkMedialVoxelRandomSample.h"
 #include "itkMedialVoxelScanSurvey.h"
+#include "itkMedialVoxelValueSides.h"
 
 #include <cstdint>
 #include <optional>
@@ -60,6 +61,7 @@ struct MedialVoxelScanSamples
   MedialVoxelRandomSample<Material>   material{ NumberOfLevels };
   MedialVoxelRandomSample<Surface>    surfaces{ NumberOfSurfaces };
   Faces                               faces;
+  MedialVoxelValueSides               sides;
 
   /** Whether more of them would hardly change the result. */
   bool
@@ -86,6 +88,7 @@ struct MedialVoxelScanSamples
     surfaces.Add(std::move(other.surfaces));
     faces.all += other.faces.all;
     faces.sharp += other.faces.sharp;
+    sides += other.sides;
   }
 };
 

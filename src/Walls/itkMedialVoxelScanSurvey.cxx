@@ -116,6 +116,10 @@ public:
       {
         m_Checker.Count(StepsOfRow);
         this->TakeRow(voxel, block, seed, samples);
+        if (!samples.sides.HaveSeveral())
+        {
+          this->TakeSides(voxel, block.upper[0], samples.sides);
+        }
       }
     }
   }
@@ -152,6 +156,16 @@ private:
           this->TakeBackground(voxel, hash, samples);
         }
       }
+    }
+  }
+
+  /** All values of a row from a voxel on. */
+  void
+  TakeSides(Index voxel, const std::int64_t end, MedialVoxelValueSides & sides) const
+  {
+    for (; voxel[0] < end; ++voxel[0])
+    {
+      sides.Add(static_cast<double>(m_Gray.Get(voxel)), m_Object.Test(voxel));
     }
   }
 

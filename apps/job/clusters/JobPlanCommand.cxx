@@ -154,6 +154,7 @@ MeasureVolume(const ExtractOptions & options, Job & job, ProgressSink & sink)
   measured.lowerThreshold = job.options.lowerThreshold;
   measured.neededMaximum = job.options.neededMaximum;
   measured.roughness = job.result.roughness;
+  measured.smoothingLevel = job.result.smoothingLevel;
   measured.measure = job.result.wallMeasure;
   return measured;
 }

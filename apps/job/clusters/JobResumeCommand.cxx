@@ -25,6 +25,7 @@ RefuseOtherJob(ExtractOptions options, const JobFolder & folder)
     options.lowerThreshold = manifest.options.lowerThreshold; // was measured on the same input
   }
   options.roughness = manifest.options.roughness; // was measured, too
+  options.smoothingLevel = manifest.options.smoothingLevel;
   options.measure = manifest.options.measure;
   options.neededMaximum = manifest.options.neededMaximum;
   const std::string difference = FindDifference(WithAbsoluteNames(options, std::filesystem::current_path()),

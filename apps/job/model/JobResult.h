@@ -41,27 +41,28 @@ struct JobSeconds
 /** The result of a job; with dryRun its plan. */
 struct JobResult
 {
-  VolumeHeader                               input;
-  std::vector<OutputRequest>                 outputs;
-  JobPlan                                    plan;
-  itk::MedialVoxelSums                       sums;
-  std::optional<itk::MedialVoxelExactNumber> otsu;        ///< lower threshold, when it was measured
-  std::optional<itk::MedialVoxelRoughness>   roughness;   ///< of the object, when it was measured
-  std::optional<WallMeasure>                 wallMeasure; ///< of walls, where these are measured
-  Json                                       thickness;   ///< of an extraction, as in the report
-  Json                                       uncertainty; ///< of that thickness; null: it is not known
-  std::vector<PlaceSummary>                  places;      ///< with too thin or too thick walls; of the kinds looked for
-  Json                                       objects;     ///< of a label map, with the passes it took; null: it is none
-  SegmentTable                               segments;    ///< names of its labels; empty: there are none
-  std::optional<SheetSummary>                surface;     ///< when a mesh was asked for
-  Json                                       topology;    ///< of the object and the labels, when that was asked for
-  std::optional<itk::MedialVoxelSheetWalls>  walls;       ///< and seams, when these were asked for
-  Json                                       part;        ///< its surface, when that was asked for
-  std::vector<Warning>                       warnings;
-  JobSeconds                                 seconds;
-  std::uint64_t                              peakMemory{ 0 }; ///< of the process
-  std::uint64_t                              bytesRead{ 0 };
-  Json                                       report; ///< all of it that is shown, at the end of the job
+  VolumeHeader                                  input;
+  std::vector<OutputRequest>                    outputs;
+  JobPlan                                       plan;
+  itk::MedialVoxelSums                          sums;
+  std::optional<itk::MedialVoxelExactNumber>    otsu;           ///< lower threshold, when it was measured
+  std::optional<itk::MedialVoxelRoughness>      roughness;      ///< of the object, when it was measured
+  std::optional<itk::MedialVoxelSmoothingLevel> smoothingLevel; ///< of the object, when it was smoothed
+  std::optional<WallMeasure>                    wallMeasure;    ///< of walls, where these are measured
+  Json                                          thickness;      ///< of an extraction, as in the report
+  Json                                          uncertainty;    ///< of that thickness; null: it is not known
+  std::vector<PlaceSummary>                     places;   ///< with too thin or too thick walls; of the kinds looked for
+  Json                                          objects;  ///< of a label map, with the passes it took; null: it is none
+  SegmentTable                                  segments; ///< names of its labels; empty: there are none
+  std::optional<SheetSummary>                   surface;  ///< when a mesh was asked for
+  Json                                          topology; ///< of the object and the labels, when that was asked for
+  std::optional<itk::MedialVoxelSheetWalls>     walls;    ///< and seams, when these were asked for
+  Json                                          part;     ///< its surface, when that was asked for
+  std::vector<Warning>                          warnings;
+  JobSeconds                                    seconds;
+  std::uint64_t                                 peakMemory{ 0 }; ///< of the process
+  std::uint64_t                                 bytesRead{ 0 };
+  Json                                          report; ///< all of it that is shown, at the end of the job
 };
 
 /** The verdict of a run on thin walls. */

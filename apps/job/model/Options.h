@@ -13,6 +13,7 @@
 #include "WallMeasure.h"
 
 #include "itkMedialVoxelRoughness.h"
+#include "itkMedialVoxelSmoothingLevel.h"
 
 #include <cstdint>
 #include <optional>
@@ -136,6 +137,8 @@ struct ExtractOptions : JobOptions
 
   std::optional<Smoothing>                 smoothing; ///< unset: automatic with the automatic thickness, otherwise off
   std::optional<itk::MedialVoxelRoughness> roughness; ///< of the object, when it is known before
+
+  std::optional<itk::MedialVoxelSmoothingLevel> smoothingLevel; ///< of smoothed values, when it is known before
 
   /** Measure on gray values, which needs a threshold; unset: where one threshold cuts the values. */
   std::optional<bool> subVoxel;

@@ -132,8 +132,7 @@ AddNoise(std::vector<OptionRow> & rows)
     .OfJobs(Sheets, "Method")
     .Help(
       "Noise of the object: smooth it away?",
-      "on: smooth the values when one threshold is given, otherwise the mask; edges and thin walls stay in place. "
-      "auto: "
+      "on: smooth the values of a scan, and of everything else the mask; edges and thin walls stay in place. auto: "
       "when 0.75 % or more of the border voxels stand alone, which reads the volume once more. Default: auto with the "
       "thickness auto, otherwise off.")
     .Python(Extract | Mesh)

@@ -62,6 +62,7 @@ ParametersToJson(const ExtractOptions & options)
   Json json = KeptToJson(Kept::Result, options);
   json["lower_otsu"] = options.lowerIsOtsu;
   json["roughness"] = RoughnessToJson(options.roughness);
+  json["smoothing_level"] = SmoothingLevelToJson(options.smoothingLevel);
   json["measure"] = MeasureToJson(options.measure);
   json["needed_maximum"] = options.neededMaximum ? Json(*options.neededMaximum) : Json(nullptr);
   return json;
@@ -73,6 +74,7 @@ ParametersFromJson(const Json & json, ExtractOptions & options)
   KeptFromJson(Kept::Result, json, options);
   json.at("lower_otsu").get_to(options.lowerIsOtsu);
   options.roughness = RoughnessFromJson(json.at("roughness"));
+  options.smoothingLevel = SmoothingLevelFromJson(json.at("smoothing_level"));
   options.measure = MeasureFromJson(json.at("measure"));
   const Json & maximum = json.at("needed_maximum");
   options.neededMaximum = maximum.is_null() ? std::nullopt : std::optional(maximum.get<double>());

@@ -28,6 +28,26 @@ RoughnessFromJson(const Json & json)
 }
 
 Json
+SmoothingLevelToJson(const std::optional<itk::MedialVoxelSmoothingLevel> & level)
+{
+  return level ? Json{ { "value", level->value ? Json(*level->value) : Json(nullptr) },
+                       { "object_is_above", level->objectIsAbove } }
+               : Json(nullptr);
+}
+
+std::optional<itk::MedialVoxelSmoothingLevel>
+SmoothingLevelFromJson(const Json & json)
+{
+  if (json.is_null())
+  {
+    return std::nullopt;
+  }
+  const Json & value = json.at("value");
+  return itk::MedialVoxelSmoothingLevel{ value.is_null() ? std::nullopt : std::optional(value.get<double>()),
+                                         json.at("object_is_above").get<bool>() };
+}
+
+Json
 MeasureToJson(const std::optional<WallMeasure> & measure)
 {
   if (!measure)

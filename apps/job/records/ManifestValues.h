@@ -19,6 +19,11 @@ std::optional<itk::MedialVoxelRoughness>
 RoughnessFromJson(const Json & json);
 
 Json
+SmoothingLevelToJson(const std::optional<itk::MedialVoxelSmoothingLevel> & level);
+std::optional<itk::MedialVoxelSmoothingLevel>
+SmoothingLevelFromJson(const Json & json);
+
+Json
 MeasureToJson(const std::optional<WallMeasure> & measure);
 std::optional<WallMeasure>
 MeasureFromJson(const Json & json);

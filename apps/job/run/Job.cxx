@@ -330,6 +330,7 @@ Job::OpenVolume() const
   }
   const Smoothing smoothing = walls ? GetSmoothing(*walls) : Smoothing::Off;
   auto            opened = std::make_unique<InputVolume>(result.input, options, result.plan.memory.toKeep, smoothing);
+  opened->UseSmoothingLevel(walls ? walls->smoothingLevel : std::nullopt);
   const itk::MedialVoxelGrid grid = GetGrid(result.input);
   const auto * const         surface = std::get_if<PartOptions>(&command);
   const bool hasSheet = surface == nullptr || surface->localThicknessMethod == LocalThicknessMethod::Wall;
@@ -372,6 +373,7 @@ void
 Job::Measure(const ReadObserver & observer)
 {
   result.roughness = volume->GetRoughness();
+  result.smoothingLevel = volume->GetSmoothingLevel();
   if (const auto walls = this->GetWalls())
   {
     result.wallMeasure = walls->measure ? walls->measure : FindWallMeasure(*volume, result.input, *walls, observer);

@@ -43,6 +43,19 @@ InputVolume::GetRoughness() const
   return object != nullptr ? object->GetRoughness() : std::nullopt;
 }
 
+std::optional<itk::MedialVoxelSmoothingLevel>
+InputVolume::GetSmoothingLevel() const
+{
+  const auto * const object = this->GetObject();
+  return object != nullptr ? object->GetSmoothingLevel() : std::nullopt;
+}
+
+void
+InputVolume::UseSmoothingLevel(const std::optional<itk::MedialVoxelSmoothingLevel> & level)
+{
+  dynamic_cast<itk::MedialVoxelObjectInput &>(*m_Input).UseSmoothingLevel(level);
+}
+
 void
 InputVolume::LookForThickWalls(const itk::MedialVoxelGrid & grid, double maximum)
 {

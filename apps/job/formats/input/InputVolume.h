@@ -61,6 +61,14 @@ public:
   std::optional<itk::MedialVoxelRoughness>
   GetRoughness() const;
 
+  /** What smoothed values are compared with, where Prepare() found it or it was given. */
+  std::optional<itk::MedialVoxelSmoothingLevel>
+  GetSmoothingLevel() const;
+
+  /** Has the one object smoothed with a level that was found before. */
+  void
+  UseSmoothingLevel(const std::optional<itk::MedialVoxelSmoothingLevel> & level);
+
   /** Bytes that a part of a box takes while it is read, for each thread that reads. */
   static constexpr std::uint64_t SpanSize = std::uint64_t{ 1 } << 20;
 
