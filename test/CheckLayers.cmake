@@ -16,6 +16,7 @@ set(image_io "^itkStreaming[A-Za-z]*$")
 set(folder_of_itkMedialVoxelBettiNumbers Topology)
 set(folder_of_itkMedialVoxelRows Foundation)
 set(folder_of_itkMedialVoxelScan Foundation)
+set(folder_of_itkMedialVoxelSmoothingLevel Foundation)
 set(folder_of_itkMedialVoxelSquaredLengths Distance)
 set(folder_of_itkMedialVoxelValues Foundation)
 
