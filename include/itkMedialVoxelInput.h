@@ -145,15 +145,20 @@ public:
   static std::uint64_t
   GetBytesToSmooth(const MedialVoxelBox & image, MedialVoxelValueType type, std::int64_t rowsReadTogether);
 
+  /** Threads for which the smallest memory limit has room in a survey. */
+  static constexpr unsigned int LeastSurveyThreads = 5;
+
   /** Find the materials beside a threshold from samples. With two thresholds there is no scan.
    * \param lower, upper thresholds, of which one or both may be infinite
-   * \param levels       of the materials, when known */
+   * \param levels       of the materials, when known
+   * \param mostThreads  each takes 7 MiB */
   MedialVoxelScanResult
   SurveyScan(const MedialVoxelGrid &                      grid,
              double                                       lower,
              double                                       upper,
              const std::optional<MedialVoxelScanLevels> & levels,
-             const Observer &                             observer);
+             const Observer &                             observer,
+             unsigned int                                 mostThreads = LeastSurveyThreads);
 
 private:
   struct LookedFor

@@ -42,7 +42,7 @@ struct MedialVoxel_EXPORT MedialVoxelScanLevels
  * - The noise is 1.4826 times the median deviation of the background. Its correlation is the largest ratio of the
  *   variance of means over 3^D and 5^D voxels of the background to that of independent values.
  * - The blur is the median of fits to surfaces of walls of at least 5 voxels.
- * - It is a mask or a label map where background or object have one value only, or where most faces between them are
+ * - It is a mask or a label map where background and object have one value each, or where most faces between them are
  *   sharp: the values do not change from the voxels at the face to the voxels behind them. One of four object voxels
  *   is looked at.
  *

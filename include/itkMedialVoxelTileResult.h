@@ -105,19 +105,20 @@ struct MedialVoxelTopologyCell
   bool          isObject; ///< the voxel
   std::uint16_t level;    ///< see MedialVoxelCellLevels
 
-  static constexpr unsigned int LabelBits = 2;
+  static constexpr unsigned int  LabelBits = 2;
+  static constexpr std::uint16_t OfObject = 1u << LabelBits;
 
   std::uint16_t
   Pack() const
   {
-    return static_cast<std::uint16_t>(label | (isObject ? 1u << LabelBits : 0u) | level << (LabelBits + 1));
+    return static_cast<std::uint16_t>(label | (isObject ? OfObject : 0u) | level << (LabelBits + 1));
   }
 
   static MedialVoxelTopologyCell
   Unpack(const std::uint16_t cell)
   {
     return { static_cast<std::uint8_t>(cell & ((1u << LabelBits) - 1)),
-             (cell >> LabelBits & 1u) != 0,
+             (cell & OfObject) != 0,
              static_cast<std::uint16_t>(cell >> (LabelBits + 1)) };
   }
 };

@@ -12,6 +12,7 @@
 #include "gtest/gtest.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cmath>
 #include <functional>
 
@@ -123,6 +124,17 @@ TEST(MedialVoxelMaskSurvey, AFewOtherValuesLeaveItAMask)
     return isOther ? 240.0f : (GetLayer(voxel) <= 8 ? 250.0f : 50.0f);
   };
   EXPECT_TRUE(Survey(almost, 150.0f, false).isMask);
+}
+
+TEST(MedialVoxelMaskSurvey, ANoisyMaskIsAMask)
+{
+  const Value noisy = [](const Index & voxel) {
+    const auto hash = static_cast<std::uint32_t>(voxel[0] * 73856093 ^ voxel[1] * 19349663 ^ voxel[2] * 83492791);
+    const bool isFlipped = hash * 2654435761u >> 24 < 64;
+    return (GetLayer(voxel) <= 20) != isFlipped ? 250.0f : 50.0f;
+  };
+  EXPECT_TRUE(Survey(noisy, 51.0f, false).isMask);
+  EXPECT_TRUE(Survey(noisy, 250.0f, true).isMask);
 }
 
 TEST(MedialVoxelMaskSurvey, WithoutABorderThereAreNoGrayValuesToMeasureOn)

@@ -294,9 +294,10 @@ TEST(MedialVoxelSmoothedFilter, Surface)
 {
   using ImageType = Input<short, 3>;
   using SurfaceFilter = itk::MedialSurfaceMeshFilter<ImageType>;
-  const auto image = MakeWall<ImageType>(25);
-  const auto mask = MakeSmoothedMask(
-    image.GetPointer(), [](short pixel) { return static_cast<double>(pixel); }, [](double f) { return f >= 150; });
+  const auto   image = MakeWall<ImageType>(25);
+  const double level = FindLevel(image.GetPointer(), 150, true);
+  const auto   mask = MakeSmoothedMask(
+    image.GetPointer(), [](short pixel) { return static_cast<double>(pixel); }, [=](double f) { return f >= level; });
   const auto surface = SurfaceFilter::New();
   surface->SetInput(image);
   surface->SetThicknessMode(Mode::Automatic);

@@ -4,6 +4,7 @@
 
 #include "itkMedialVoxelCellComplex.h"
 #include "itkMedialVoxelClosedPores.h"
+#include "itkMedialVoxelObjectPredicate.h"
 #include "itkMedialVoxelParameters.h"
 #include "itkMedialVoxelThinning.h"
 
@@ -71,19 +72,26 @@ public:
     {
       MedialVoxelBits::WordType * const ofObject = object.GetRow(y, box.lower[2]);
       MedialVoxelBits::WordType * const ofMedial = waiting.medial.GetRow(y, box.lower[2]);
-      for (std::int64_t x = 0; x < box.upper[0]; ++x)
+      for (std::int64_t begin = 0; begin < box.upper[0]; begin += MedialVoxelBits::BitsPerWord)
       {
-        const auto at = static_cast<std::size_t>(y * box.upper[0] + x);
-        if (cells[at] == 0)
+        const std::int64_t count = std::min(box.upper[0] - begin, MedialVoxelBits::BitsPerWord);
+        const auto         at = static_cast<std::size_t>(y * box.upper[0] + begin);
+        if (MedialVoxelAreAllZero(cells + at, count))
         {
           continue; // most of a scan is background
         }
-        const auto cell = MedialVoxelTopologyCell::Unpack(cells[at]);
-        const auto bit = MedialVoxelBits::WordType{ 1 } << (x % MedialVoxelBits::BitsPerWord);
-        ofObject[x / MedialVoxelBits::BitsPerWord] |= cell.isObject ? bit : 0;
-        ofMedial[x / MedialVoxelBits::BitsPerWord] |= cell.label >= MedialVoxelLabel::MedialByBound ? bit : 0;
-        waiting.levels[at] = cell.level;
-        m_HasBoundary = m_HasBoundary && cell.level != MedialVoxelThinning::NoLevel;
+        MedialVoxelBits::WordType objectBits = 0;
+        MedialVoxelBits::WordType medialBits = 0;
+        for (std::int64_t i = 0; i < count; ++i)
+        {
+          const auto cell = MedialVoxelTopologyCell::Unpack(cells[at + static_cast<std::size_t>(i)]);
+          objectBits |= MedialVoxelBits::WordType{ cell.isObject } << i;
+          medialBits |= MedialVoxelBits::WordType{ cell.label >= MedialVoxelLabel::MedialByBound } << i;
+          waiting.levels[at + static_cast<std::size_t>(i)] = cell.level;
+          m_HasBoundary = m_HasBoundary && cell.level != MedialVoxelThinning::NoLevel;
+        }
+        ofObject[begin / MedialVoxelBits::BitsPerWord] = objectBits;
+        ofMedial[begin / MedialVoxelBits::BitsPerWord] = medialBits;
       }
     }
     m_Waiting.push_back(std::move(waiting));

@@ -87,11 +87,18 @@ public:
     return areWhole && gap <= 1.0 && this->HaveSeveral();
   }
 
-  /** Whether background and object have two values or more each; masks do not. */
+  /** Whether background and object have two values or more each. */
   bool
   HaveSeveral() const
   {
     return m_Sides[0].HasSeveral() && m_Sides[1].HasSeveral();
+  }
+
+  /** Whether neither has. */
+  bool
+  AreOfMask() const
+  {
+    return !m_Sides[0].HasSeveral() && !m_Sides[1].HasSeveral();
   }
 
   MedialVoxelSmoothingLevel

@@ -288,10 +288,9 @@ MedialVoxelObjectInput::SurveyScan(const MedialVoxelGrid &                      
                                    const double                                 lower,
                                    const double                                 upper,
                                    const std::optional<MedialVoxelScanLevels> & levels,
-                                   const Observer &                             observer)
+                                   const Observer &                             observer,
+                                   const unsigned int                           mostThreads)
 {
-  // With these, the survey stays below the smallest memory limit.
-  constexpr unsigned int mostThreads = 5;
   if (std::isfinite(lower) == std::isfinite(upper))
   {
     return { std::nullopt, "there are two thresholds" };
@@ -302,9 +301,7 @@ MedialVoxelObjectInput::SurveyScan(const MedialVoxelGrid &                      
   }
   MedialVoxelScanSurvey::Source source;
   source.fill = [this](const auto & box, auto & object, auto & gray) { this->Fill(box, { &object, nullptr, &gray }); };
-  source.forEach = [this](const auto & boxes, const auto & work) {
-    this->GetSource().ForEach(boxes, mostThreads, work);
-  };
+  source.forEach = [&](const auto & boxes, const auto & work) { this->GetSource().ForEach(boxes, mostThreads, work); };
   source.observe = observer;
   return MedialVoxelScanSurvey(grid, std::isfinite(lower) ? lower : upper, levels).Run(source);
 }

@@ -33,6 +33,7 @@ MedialVoxelThinning::MedialVoxelThinning(const MedialVoxelGrid & grid, Consumer 
   , m_Image(grid.GetVoxelBox())
   , m_Cells(grid.GetCellBox())
   , m_Consumer(std::move(consumer))
+  , m_NoBits(static_cast<std::size_t>(m_Image.upper[0] / MedialVoxelBits::BitsPerWord) + 4)
 {}
 
 MedialVoxelBox
@@ -104,14 +105,16 @@ MedialVoxelThinning::FindCells(const MedialVoxelGrid & grid,
 void
 MedialVoxelThinning::CountCells(const std::int64_t slice)
 {
-  Slice &    own = this->At(slice);
+  Slice & own = this->At(slice);
+  own.open = own.cells;
   const auto forEachCell = [&](const auto & function) {
     for (std::int64_t y = 0; y < m_Cells.upper[1]; ++y)
     {
       for (std::int64_t word = 0; word < own.cells.GetWordsPerRow(); ++word)
       {
-        for (auto bits = own.cells.GetRow(y, slice)[word] & ~own.medial.GetRow(y, slice)[word]; bits != 0;
-             bits &= bits - 1)
+        MedialVoxelBits::WordType & open = own.open.GetRow(y, slice)[word];
+        open &= ~own.medial.GetRow(y, slice)[word];
+        for (auto bits = open; bits != 0; bits &= bits - 1)
         {
           const std::int64_t x = word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(bits);
           function(x, y, own.levels[static_cast<std::size_t>(y * m_Image.upper[0] + x)]);
@@ -210,19 +213,31 @@ MedialVoxelThinning::TakeTurn(const std::int64_t slice)
   const auto          ofParity = (~MedialVoxelBits::WordType{ 0 } / 3) << (parity & 1u);
   for (std::int64_t y = parity >> 1; y < m_Cells.upper[1]; y += 2)
   {
-    MedialVoxelBits::WordType * const       cells = own.cells.GetRow(y, slice);
-    const MedialVoxelBits::WordType * const medial = own.medial.GetRow(y, slice);
-    const LevelType * const                 levels = own.levels.data() + y * m_Image.upper[0];
+    MedialVoxelBits::WordType * const cells = own.cells.GetRow(y, slice);
+    MedialVoxelBits::WordType * const open = own.open.GetRow(y, slice);
+    const LevelType * const           levels = own.levels.data() + y * m_Image.upper[0];
+    Rows                              rows{};
     for (std::int64_t word = 0; word < own.cells.GetWordsPerRow(); ++word)
     {
-      for (auto bits = cells[word] & ~medial[word] & ofParity; bits != 0; bits &= bits - 1)
+      auto bits = open[word] & ofParity;
+      if (bits != 0 && rows.cells[4] == nullptr)
       {
-        const std::int64_t x = word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(bits);
-        const std::int64_t level = levels[x];
-        if (level <= pass && pass - level < NumberOfChances && this->IsSimple(slice, x, y))
+        rows = this->FindRows(slice, y);
+      }
+      for (; bits != 0; bits &= bits - 1)
+      {
+        const MedialVoxelBits::WordType bit = bits & (~bits + 1);
+        const std::int64_t              x = word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(bits);
+        const std::int64_t              level = levels[x];
+        if (level <= pass && IsSimple(rows, x))
         {
-          cells[word] ^= bits & (~bits + 1);
+          cells[word] ^= bit;
+          open[word] ^= bit;
           --own.counts[static_cast<std::size_t>(level - own.lowest)][parity];
+        }
+        else if (pass - level >= NumberOfChances - 1)
+        {
+          open[word] ^= bit; // this was its last chance
         }
       }
     }
@@ -230,35 +245,53 @@ MedialVoxelThinning::TakeTurn(const std::int64_t slice)
   own.turn = this->FindTurn(slice, own.turn + 1);
 }
 
-bool
-MedialVoxelThinning::IsSimple(const std::int64_t slice, const std::int64_t x, const std::int64_t row)
+auto
+MedialVoxelThinning::FindRows(const std::int64_t slice, const std::int64_t row) -> Rows
 {
-  std::uint32_t cells = 0;
-  std::uint32_t voxels = 0;
-  for (int dz = -1; dz <= 1; ++dz)
+  Rows rows{};
+  rows.cells.fill(m_NoBits.data() + 1);
+  rows.voxels.fill(m_NoBits.data() + 1);
+  for (std::int64_t z = std::max(slice - 1, m_FirstSlice); z < std::min(slice + 2, m_NumberOfSlices); ++z)
   {
-    const std::int64_t z = slice + dz;
-    if (z < m_FirstSlice || z >= m_NumberOfSlices)
-    {
-      continue;
-    }
     const Slice & other = this->At(z);
-    for (int dy = -1; dy <= 1; ++dy)
+    for (std::int64_t y = std::max<std::int64_t>(row - 1, 0); y < std::min(row + 2, m_Image.upper[1]); ++y)
     {
-      const std::int64_t y = row + dy;
-      if (y < 0 || y >= m_Image.upper[1])
+      const std::int64_t dy = y - row;
+      const std::int64_t dz = z - slice;
+      if (other.cells.HasRow(y, z))
       {
-        continue;
-      }
-      if (z < m_Cells.upper[2])
-      {
-        cells |= static_cast<std::uint32_t>(other.cells.Extract(x - 1, y, z) & 7u) << (9 * dz + 3 * dy + 12);
+        rows.cells[static_cast<std::size_t>(3 * dz + dy + 4)] = other.cells.GetRow(y, z);
       }
       if (dy >= 0 && dz >= 0)
       {
-        voxels |= static_cast<std::uint32_t>(other.object.Extract(x, y, z) & 3u) << (4 * dz + 2 * dy);
+        rows.voxels[static_cast<std::size_t>(2 * dz + dy)] = other.object.GetRow(y, z);
       }
     }
+  }
+  return rows;
+}
+
+bool
+MedialVoxelThinning::IsSimple(const Rows & rows, const std::int64_t x)
+{
+  // Bits of all rows begin at the same place: three of cells from x - 1 on, two of voxels from x on.
+  const auto take =
+    [](const MedialVoxelBits::WordType * const row, const std::int64_t first, const std::uint32_t mask) {
+      const std::int64_t word = first >> 6;
+      const auto         shift = static_cast<unsigned int>(first & (MedialVoxelBits::BitsPerWord - 1));
+      // A shift by 63 and by 1 more, as one by 64 is not defined.
+      const MedialVoxelBits::WordType bits = (row[word] >> shift) | (row[word + 1] << 1 << (63 - shift));
+      return static_cast<std::uint32_t>(bits) & mask;
+    };
+  std::uint32_t cells = 0;
+  for (std::size_t k = 0; k < rows.cells.size(); ++k)
+  {
+    cells |= take(rows.cells[k], x - 1, 7u) << (3 * k);
+  }
+  std::uint32_t voxels = 0;
+  for (std::size_t k = 0; k < rows.voxels.size(); ++k)
+  {
+    voxels |= take(rows.voxels[k], x, 3u) << (2 * k);
   }
   return MedialVoxelCellLink::IsSimple(cells, voxels);
 }

@@ -84,11 +84,11 @@ public:
     return m_HeldBytes;
   }
 
-  /** Memory of a slice in \a box: its bits of three kinds, and levels. */
+  /** Memory of a slice in \a box: its bits of four kinds, and levels. */
   static std::uint64_t
   GetBytesOfSlice(const MedialVoxelBox & box)
   {
-    return 3 * MedialVoxelBits::GetBytes(box) + static_cast<std::uint64_t>(box.NumberOfVoxels()) * sizeof(LevelType);
+    return 4 * MedialVoxelBits::GetBytes(box) + static_cast<std::uint64_t>(box.NumberOfVoxels()) * sizeof(LevelType);
   }
 
   /** The cells of a slice that have an object corner.
@@ -109,6 +109,7 @@ private:
     MedialVoxelBits        medial;
     std::vector<LevelType> levels;
     MedialVoxelBits        cells{};
+    MedialVoxelBits        open{};            ///< cells that turns may still delete
     LevelType              lowest{ NoLevel }; ///< of the levels of cells that can be deleted
     std::vector<Counts>    counts{};          ///< of such cells, from this level on
     std::int64_t           turn{ NotBegun };  ///< the next one with work
@@ -145,8 +146,18 @@ private:
   void
   TakeTurn(std::int64_t slice);
 
-  bool
-  IsSimple(std::int64_t slice, std::int64_t x, std::int64_t row);
+  /** Rows around a row of cells: bits -1 and those after the last one are readable zeros. */
+  struct Rows
+  {
+    std::array<const MedialVoxelBits::WordType *, 9> cells;  ///< at (dy + 1) + 3 (dz + 1)
+    std::array<const MedialVoxelBits::WordType *, 4> voxels; ///< at dy + 2 dz, of the corners
+  };
+
+  Rows
+  FindRows(std::int64_t slice, std::int64_t row);
+
+  static bool
+  IsSimple(const Rows & rows, std::int64_t x);
 
   void
   HandOver();
@@ -156,11 +167,13 @@ private:
   MedialVoxelBox    m_Cells;
   Consumer          m_Consumer;
   std::deque<Slice> m_Slices;
-  MedialVoxelBits   m_Added;
-  std::int64_t      m_FirstSlice{ 0 };     ///< that is held
-  std::int64_t      m_NumberOfSlices{ 0 }; ///< that are known
-  std::int64_t      m_NumberHandedOver{ 0 };
-  std::uint64_t     m_HeldBytes{ 0 };
+
+  std::vector<MedialVoxelBits::WordType> m_NoBits; ///< in place of rows that the image does not have
+  MedialVoxelBits                        m_Added;
+  std::int64_t                           m_FirstSlice{ 0 };     ///< that is held
+  std::int64_t                           m_NumberOfSlices{ 0 }; ///< that are known
+  std::int64_t                           m_NumberHandedOver{ 0 };
+  std::uint64_t                          m_HeldBytes{ 0 };
 };
 
 } // end namespace itk

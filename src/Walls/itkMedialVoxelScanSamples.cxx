@@ -204,7 +204,7 @@ MedialVoxelSummarizeScan(MedialVoxelScanSamples &                     samples,
                          const double                                 threshold,
                          const std::optional<MedialVoxelScanLevels> & levels)
 {
-  if (!samples.sides.HaveSeveral() || 2 * samples.faces.sharp >= samples.faces.all)
+  if (samples.sides.AreOfMask() || 2 * samples.faces.sharp >= samples.faces.all)
   {
     return MedialVoxelScanResult::OfMask();
   }

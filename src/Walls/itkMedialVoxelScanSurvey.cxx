@@ -116,7 +116,7 @@ public:
       {
         m_Checker.Count(StepsOfRow);
         this->TakeRow(voxel, block, seed, samples);
-        if (!samples.sides.HaveSeveral())
+        if (samples.sides.AreOfMask())
         {
           this->TakeSides(voxel, block.upper[0], samples.sides);
         }

@@ -376,7 +376,8 @@ Job::Measure(const ReadObserver & observer)
   result.smoothingLevel = volume->GetSmoothingLevel();
   if (const auto walls = this->GetWalls())
   {
-    result.wallMeasure = walls->measure ? walls->measure : FindWallMeasure(*volume, result.input, *walls, observer);
+    result.wallMeasure =
+      walls->measure ? walls->measure : FindWallMeasure(*volume, result.input, *walls, result.plan.threads, observer);
   }
 }
 

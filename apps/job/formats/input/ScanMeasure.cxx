@@ -4,6 +4,8 @@
 
 #include "Errors.h"
 
+#include <algorithm>
+
 namespace medialvoxel
 {
 
@@ -11,6 +13,7 @@ WallMeasure
 FindWallMeasure(InputVolume &          input,
                 const VolumeHeader &   header,
                 const ExtractOptions & options,
+                const unsigned int     threads,
                 const ReadObserver &   observer)
 {
   if (!MayMeasureOnGrayValues(options, header))
@@ -19,7 +22,9 @@ FindWallMeasure(InputVolume &          input,
   }
   const auto range = GetGrayRange(options, header);
   auto &     object = dynamic_cast<itk::MedialVoxelObjectInput &>(input.GetInput());
-  const auto result = object.SurveyScan(GetGrid(header), range.lower, range.upper, options.materials, observer);
+  const auto mostThreads = std::max(itk::MedialVoxelObjectInput::LeastSurveyThreads, threads);
+  const auto result =
+    object.SurveyScan(GetGrid(header), range.lower, range.upper, options.materials, observer, mostThreads);
   if (!result.scan && !options.uncertaintyFile.empty())
   {
     Fail(ExitStatus::Refused,
