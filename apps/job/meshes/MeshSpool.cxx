@@ -102,6 +102,7 @@ MeshSpool::MeshSpool(const std::filesystem::path & folder, MeshPrecision precisi
   , m_MarkFile(folder)
   , m_Objects(folder)
   , m_UpperCorners(folder)
+  , m_Walls(folder)
   , m_Precision(precision)
   , m_HoldsFloats(precision == MeshPrecision::Single && input == MeshSpoolInput::Added)
 {}
@@ -186,6 +187,12 @@ MeshSpool::PutFaces(std::uint64_t first, const std::vector<MeshFace> & faces)
 }
 
 void
+MeshSpool::PutWalls(std::uint64_t first, const std::vector<std::uint32_t> & walls)
+{
+  m_Walls.Write(first, walls);
+}
+
+void
 MeshSpool::ReadVertices(std::uint64_t first, std::uint64_t count, std::vector<Vertex> & vertices) const
 {
   itk::MedialVoxelCheckAbort();
@@ -235,6 +242,14 @@ MeshSpool::ReadFaces(std::uint64_t           first,
     for (MeshFace & face : faces)
     {
       face.numberOfVertices = 4;
+    }
+  }
+  if (parts != MeshFaceFields::Corners)
+  {
+    const auto walls = m_Walls.Read(first, count);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+      faces[i].wall = walls[i];
     }
   }
 }

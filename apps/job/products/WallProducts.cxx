@@ -5,6 +5,7 @@
 #include "MeshPlacement.h"
 #include "Outputs.h"
 #include "Products.h"
+#include "SheetMesh.h"
 #include "SheetObserver.h"
 #include "Text.h"
 #include "ThreadedTasks.h"
@@ -83,8 +84,11 @@ public:
   void
   AddTo(Footprint & footprint, const VolumeHeader & header) const override
   {
-    footprint.Add(GetSheetFootprint(m_Options, header.geometry, footprint.grid));
-    footprint.needsSlices = true;
+    if (m_Options.meshFile.empty())
+    {
+      footprint.Add(GetSheetFootprint(m_Options, header.geometry, footprint.grid));
+      footprint.needsSlices = true;
+    }
     if (!m_VolumeName.empty())
     {
       footprint.beside += GetOutputMemory(m_VolumeName, header.geometry, WallLayout, m_Options) +
@@ -104,6 +108,13 @@ public:
     const VolumeHeader & header = start.job.input;
     const JobPlan &      plan = start.job.plan;
     m_Sheet = std::make_unique<SheetInMemory>(plan.memory.limit - std::min(plan.memory.limit, plan.memory.fixed));
+    m_Header = header;
+    m_Mesh = start.mesh;
+    if (m_Mesh != nullptr)
+    {
+      m_Mesh->AlsoGiveTo(*m_Sheet);
+      return;
+    }
     m_Observer = MakeSheetObserver(
       m_Options,
       header.geometry,
@@ -112,7 +123,6 @@ public:
       [](const std::size_t count, const auto & task) { RunInThreads(count, task); },
       *m_Sheet);
     m_Links.observer = m_Observer.get();
-    m_Header = header;
   }
 
   void
@@ -130,21 +140,29 @@ public:
   FillVolumes(JobResult & result, const ProductEnd & end) override
   {
     const auto start = JobClock::now();
-    m_Observer->Finish();
-    end.progress(0.2);
+    m_Mesh != nullptr ? m_Mesh->CompleteSheet() : m_Observer->Finish();
+    const double share = m_Mesh != nullptr ? 0.3 : 1.0;
+    end.progress(0.2 * share);
     const auto runTasks = [](const std::size_t count, const itk::MedialVoxelTask & task) {
       RunInThreads(count, [&task](const std::size_t number) { task(number, [] {}); });
     };
     result.walls = itk::MedialVoxelFindWalls(m_Sheet->sheet, runTasks);
+    std::vector<itk::MedialVoxelVector3> points;
+    points.swap(m_Sheet->sheet.points);
     m_Sheet->sheet = {};
-    end.progress(0.8);
+    end.progress(0.8 * share);
     if (m_Volume != nullptr)
     {
       this->WriteVolume(result.input.geometry, result.walls->wallOf);
     }
-    std::vector<std::uint32_t>().swap(result.walls->wallOf);
     m_Sheet.reset();
-    end.progress(1.0);
+    std::vector<std::uint32_t> wallOf;
+    wallOf.swap(result.walls->wallOf);
+    if (m_Options.meshWalls)
+    {
+      m_Mesh->SetWalls(std::move(points), std::move(wallOf));
+    }
+    end.progress(share);
     result.seconds.walls = SecondsSince(start);
   }
 
@@ -174,6 +192,7 @@ private:
   VolumeHeader                                     m_Header;
   std::unique_ptr<SheetInMemory>                   m_Sheet;
   std::unique_ptr<itk::MedialVoxelSurfaceObserver> m_Observer;
+  SheetMesh *                                      m_Mesh{ nullptr }; ///< gives the sheet, where one is made
   VoxelOutput *                                    m_Volume{ nullptr };
 };
 
