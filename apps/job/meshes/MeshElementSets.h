@@ -13,8 +13,8 @@ namespace medialvoxel
 {
 
 /** \class MeshElementSets
- * \brief Writes the elements of groups, group after group. Runs of groups are kept at once; a group that is too large is
- * a run of its own, which need not be kept. */
+ * \brief Writes the elements of groups, group after group. Runs of groups are kept at once; a group that is too large
+ * is a run of its own, which need not be kept. */
 class MeshElementSets
 {
 public:
@@ -37,7 +37,7 @@ public:
     std::size_t begin = 0;
     for (const std::size_t end : m_Ends)
     {
-      std::vector<std::vector<std::uint64_t>>  kept(end - begin);
+      std::vector<std::vector<std::uint64_t>> kept(end - begin);
       std::optional<decltype(makeSet(begin))> alone;
       ForEachElement(reader, [&](std::uint64_t number, const MeshFace & face, const MeshCorners &) {
         const std::size_t group = groupOf(face);

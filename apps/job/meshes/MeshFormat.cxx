@@ -83,7 +83,16 @@ constexpr std::array<FormatDescription, 10> Formats{
     { MeshFormat::Abaqus, ".inp", WriteMeshAbaqus, AbaqusLimit, "elements", CountFaces, AbaqusLimit, false, true },
     { MeshFormat::Nastran, ".bdf", WriteMeshNastran, FieldLimit, "elements", CountFaces, FieldLimit, false, true },
     { MeshFormat::LsDyna, ".k", WriteMeshLsDyna, FieldLimit, "elements", CountFaces, FieldLimit, false, true },
-    { MeshFormat::Gltf, ".glb", WriteMeshGltf, Int32Limit, "numbers", CountGltfNumbers, GltfLimit, true, false, false } }
+    { MeshFormat::Gltf,
+      ".glb",
+      WriteMeshGltf,
+      Int32Limit,
+      "numbers",
+      CountGltfNumbers,
+      GltfLimit,
+      true,
+      false,
+      false } }
 };
 
 const FormatDescription &

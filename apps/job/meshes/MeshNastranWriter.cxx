@@ -19,7 +19,8 @@ constexpr size_t LargeField = 16;
 constexpr size_t LineLength = 72;
 
 /** \class SetLines
- * \brief A set of the case control, which appears in the file with the first of its members: a solver refuses empty ones.
+ * \brief A set of the case control, which appears in the file with the first of its members: a solver refuses empty
+ * ones.
  */
 class SetLines
 {
@@ -69,7 +70,10 @@ private:
 };
 
 void
-WriteNodeSet(const std::uint64_t number, const std::string & name, const std::vector<bool> & marks, BufferedOutput & output)
+WriteNodeSet(const std::uint64_t       number,
+             const std::string &       name,
+             const std::vector<bool> & marks,
+             BufferedOutput &          output)
 {
   SetLines lines(number, "nodes of " + name, output);
   ForEachMarked(marks, [&](const std::uint64_t node) { lines.Add(node + 1); });

@@ -23,7 +23,7 @@ WriteMeshObj(MeshReader & reader, const MeshWriteOptions & options, BufferedOutp
       object = reader.GetObject(face);
       output.Text("g " + GetObjectName(GetLabel(reader, options, face)) + "\n");
     }
-    if (face.wall != wall)
+    if (options.hasWalls && face.wall != wall)
     {
       wall = face.wall;
       output.Text("g " + GetWallName(wall) + "\n");

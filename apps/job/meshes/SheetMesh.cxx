@@ -143,8 +143,8 @@ SheetMesh::Finish(std::uint64_t memoryLimit, unsigned int threads, const std::fu
     this->CompleteSheet();
   }
   // They are in memory until all faces are there.
-  memoryLimit -= std::min(
-    memoryLimit, m_Walls.points.size() * (sizeof(m_Walls.points.front()) + sizeof(m_Walls.wallOf.front())));
+  memoryLimit -=
+    std::min(memoryLimit, m_Walls.points.size() * (sizeof(m_Walls.points.front()) + sizeof(m_Walls.wallOf.front())));
   if (m_Cleaning.IsOn())
   {
     m_Cleaning.memoryLimit += memoryLimit;
@@ -205,14 +205,13 @@ SheetMesh::NumberFaces(const unsigned int threads, const std::function<void(doub
     check();
     return walls;
   };
-  OrderedWork<std::vector<std::uint32_t>>::Run(
-    (faces + FacesOfTask - 1) / FacesOfTask,
-    threads,
-    find,
-    [&](const std::uint64_t task, const std::vector<std::uint32_t> & walls) {
-      m_Spool->PutWalls(task * FacesOfTask, walls);
-    },
-    [&progress] { progress(0.0); });
+  OrderedWork<std::vector<std::uint32_t>>::Run((faces + FacesOfTask - 1) / FacesOfTask,
+                                               threads,
+                                               find,
+                                               [&](const std::uint64_t task, const std::vector<std::uint32_t> & walls) {
+                                                 m_Spool->PutWalls(task * FacesOfTask, walls);
+                                               },
+                                               [&progress] { progress(0.0); });
 }
 
 void

@@ -72,7 +72,8 @@ public:
     m_Passes->BeginPass(pass);
   }
 
-  /** Gives another consumer the sheet too, as it is before it is cleaned. Before the first piece, not of a label map. */
+  /** Gives another consumer the sheet too, as it is before it is cleaned. Before the first piece, not of a label map.
+   */
   void
   AlsoGiveTo(itk::MedialVoxelSurfaceConsumer & other)
   {
