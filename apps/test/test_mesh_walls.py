@@ -194,6 +194,25 @@ class MeshWallsTest(ProgramTestCase):
             self.assertLess(beyond[int(0.99 * len(beyond))], 0.1, (shape.__name__, degrees))
             self.assertLess(beyond[-1], 0.5, (shape.__name__, degrees))
 
+    def test_elements_at_sharp_bends(self):
+        """Of a box: few elements are of the wall beside theirs, and none of these is a side away from its plane."""
+        levels = (15, 14, 13)
+        for degrees in (0, 33):
+            self.write(box, degrees)
+            faces, walls = self.read("m.ply", *SIZES)
+            off, planes = [], {}
+            for corners, wall in zip(faces, walls):
+                side = mean([(math.dist(a, b),) for a, b in zip(corners, corners[1:] + corners[:1])])[0]
+                middle = turned(tuple(p - (n - 1) / 2 + 0.1 for p, n in zip(mean(corners), SIZE)), degrees)
+                distances = [(abs(abs(p) - level) / side, axis, p > 0) for axis, (p, level) in enumerate(zip(middle, levels))]
+                planes.setdefault(wall, collections.Counter())[min(distances)[1:]] += 1
+                off.append((wall, distances, min(distances)[1:]))
+            own = {wall: counter.most_common(1)[0][0] for wall, counter in planes.items()}
+            self.assertEqual(len(set(own.values())), 6)
+            wrong = [distances[own[wall][0]][0] for wall, distances, plane in off if plane != own[wall]]
+            self.assertLess(len(wrong), 0.05 * len(faces), degrees)
+            self.assertLess(max(wrong), 1, degrees)
+
     def test_errors(self):
         self.write(tee)
         options = ("--label", 1, "--mesh-walls")

@@ -73,8 +73,8 @@ AddMesh(std::vector<OptionRow> & rows)
     .Python(Mesh);
   AddRow(rows, "--mesh-walls", "", Flag(&ExtractOptions::meshWalls))
     .Of(Sheets, "Mesh")
+    .Hidden()
     .RefusedIn(Plan)
-    .HiddenIn(Extract)
     .Help("Give faces the number of their wall",
           "That of --walls and --wall-table. A face has the wall of the medial cell that is nearest to the mean of its "
           "corners. " +

@@ -199,7 +199,7 @@ CheckOptions(const ExtractOptions & options)
   {
     Fail(ExitStatus::Usage, "rims of faces of one voxel are not extended; give an element size, such as auto");
   }
-  if (options.meshWalls && (options.meshFile.empty() || !HoldsWalls(GetMeshFormat(options.meshFile))))
+  if (options.meshWalls && !options.meshFile.empty() && !HoldsWalls(GetMeshFormat(options.meshFile)))
   {
     Fail(ExitStatus::Usage,
          "walls of faces need a mesh that is written as ",
