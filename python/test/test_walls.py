@@ -54,7 +54,7 @@ class WallsTest(Folder):
         for keywords, options in (
             ({"lower": 50}, ["--lower=50"]),
             ({"lower": 50, "sub_voxel": False, "smooth": True}, ["--lower=50", "--sub-voxel=off", "--smooth=on"]),
-            ({"lower": 50, "materials": (20, 80), "thickness": 4}, ["--lower=50", "--materials=20,80", "--thickness=4"]),
+            ({"lower": 50, "materials": (20, 80), "thickness": 2}, ["--lower=50", "--materials=20,80", "--thickness=2"]),
         ):
             with self.subTest(keywords):
                 found = medialvoxel.walls(values, spacing=SPACING, **keywords)
@@ -87,14 +87,15 @@ class WallsTest(Folder):
         self.assertEqual(counts[1:].tolist(), [wall.cells for wall in found.walls])
         (web,) = (wall for wall in found.walls if len(wall.neighbors) == 4)
         np.testing.assert_allclose(np.abs(web.normal), (0, 0, 1), atol=1e-3)
-        np.testing.assert_allclose(web.centroid, (0.5 * 21.5, 0.5 * 19.5, 0.5 * 23.5), atol=0.1)
+        np.testing.assert_allclose(web.centroid, (0.5 * 21.5, 0.5 * 19.5, 0.5 * 23.5), atol=0.3)
         self.assertAlmostEqual(web.mean, 2, delta=0.2)
         self.assertTrue(all(web.number in seam.walls for seam in found.seams))
         medial = medialvoxel.extract(part, spacing=0.5).medial
         self.assertEqual(np.count_nonzero((found.numbers > 0) & ~medial), 0)
 
     def test_nothing_and_errors(self):
-        empty = medialvoxel.walls(np.zeros((9, 9, 9)))
+        with self.assertWarnsRegex(medialvoxel.MedialVoxelWarning, "no object"):
+            empty = medialvoxel.walls(np.zeros((9, 9, 9)))
         self.assertEqual((empty.walls, empty.seams, empty.numbers.any()), ([], [], False))
         for array, keywords, message in (
             (np.ones((9, 9)), {}, "the array has 2 axes; walls need 3"),
