@@ -10,7 +10,7 @@ import re
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[1] / "python/medialvoxel"
 FUNCTIONS = ("_arrays.py", "_by_program.py", "_program.py")
-RESULTS = ("_results.py",)
+RESULTS = ("_results.py", "_walls.py")
 
 
 def _load_texts():

@@ -30,16 +30,16 @@ NOTICE = """<!-- SPDX-FileCopyrightText: MedialVoxel contributors -->
 """
 
 MESH_FORMATS = {
-    ".vtp": ("VTK XML PolyData, appended binary", "triangles, quads", "at vertices", "`Object` of faces", "none"),
-    ".vtu": ("VTK XML UnstructuredGrid, appended binary", "triangles, quads", "at vertices", "`Object` of faces", "none"),
-    ".vtk": ("VTK legacy 3.0, binary", "triangles, quads", "at vertices", "`Object` of faces", "2³¹ - 1 numbers in faces"),
-    ".ply": ("binary, little endian", "triangles, quads", "at vertices", "`object` of vertices", "2³¹ - 1 vertices, faces"),
-    ".stl": ("binary", "triangles", "none", "none", "2³² - 1 triangles"),
-    ".obj": ("text", "triangles, quads", "none", "groups", "none"),
-    ".inp": ("Abaqus, CalculiX", "S3, S4", "of sections, or at nodes", "sets", "999 999 999 nodes, elements"),
-    ".bdf": ("Nastran", "CTRIA3, CQUAD4", "of properties, or at corners", "properties", "99 999 999 nodes, elements"),
-    ".k": ("LS-DYNA", "shells", "of sections, or at corners", "parts", "99 999 999 nodes, elements"),
-    ".glb": ("glTF 2.0, binary", "triangles", "at vertices, and as colors", "none", "4 GiB"),
+    ".vtp": ("VTK XML PolyData, appended binary", "triangles, quads", "at vertices", "`Object` of faces", "`Wall` of faces", "none"),
+    ".vtu": ("VTK XML UnstructuredGrid, appended binary", "triangles, quads", "at vertices", "`Object` of faces", "`Wall` of faces", "none"),
+    ".vtk": ("VTK legacy 3.0, binary", "triangles, quads", "at vertices", "`Object` of faces", "`Wall` of faces", "2³¹ - 1 numbers in faces"),
+    ".ply": ("binary, little endian", "triangles, quads", "at vertices", "`object` of vertices", "`wall` of faces", "2³¹ - 1 vertices, faces"),
+    ".stl": ("binary", "triangles", "none", "none", "none", "2³² - 1 triangles"),
+    ".obj": ("text", "triangles, quads", "none", "groups", "groups", "none"),
+    ".inp": ("Abaqus, CalculiX", "S3, S4", "of sections, or at nodes", "sets", "sets", "999 999 999 nodes, elements"),
+    ".bdf": ("Nastran", "CTRIA3, CQUAD4", "of properties, or at corners", "properties", "`SET` 1001, 1002, ...", "99 999 999 nodes, elements"),
+    ".k": ("LS-DYNA", "shells", "of sections, or at corners", "parts", "`*SET_SHELL` 1001, ...", "99 999 999 nodes, elements"),
+    ".glb": ("glTF 2.0, binary", "triangles", "at vertices, and as colors", "none", "none", "4 GiB"),
 }
 
 PROGRESS = {
@@ -185,7 +185,7 @@ def make_formats(catalog):
         "TIFF needs a program built with libtiff; Zarr that is packed by Blosc or zstd needs one built with libblosc or libzstd.\n",
         "## Meshes\n",
         "All are written.\n",
-        table(["extension", "format", "faces", "thickness", "objects of a label map", "limit"], meshes),
+        table(["extension", "format", "faces", "thickness", "objects of a label map", "walls", "limit"], meshes),
         "[Meshes and FEM](../how-to/meshes-and-fem.md#in-the-files) has the details.\n",
         "## Outputs\n",
         "*Cells*: the grid of the dual cells, half a voxel from that of the input. *Jobs*: whether jobs of several processes\n"

@@ -70,6 +70,35 @@ TEST(MeshWriter, Obj)
             "v 0 0 0\nv 4 0 0\nv 5 3 0\nv 1 1.5 0\nv -2 0 1e-05\nf 1 2 3 4\nf 1 4 5\n");
 }
 
+TEST(MeshWriter, WallsOfFaces)
+{
+  TestMesh surface = MakeTwoFaces();
+  surface.faces[1].wall = 258;
+  MeshWriteOptions options;
+  options.hasWalls = true;
+  EXPECT_NE(WriteFile(surface, ".vtk", options)
+              .find("SCALARS Wall unsigned_int 1\nLOOKUP_TABLE default\n" + std::string("\0\0\0\0\0\0\1\2\n", 9)),
+            std::string::npos);
+  for (const char * extension : { ".vtp", ".vtu" })
+  {
+    const std::string text = WriteFile(surface, extension, options);
+    EXPECT_NE(text.find("<DataArray type=\"UInt32\" Name=\"Wall\""), std::string::npos);
+    const std::string numbers = std::string("\x8\0\0\0\0\0\0\0", 8) + std::string("\0\0\0\0\2\1\0\0", 8);
+    EXPECT_NE(text.find(numbers), std::string::npos);
+  }
+  const std::string ply = WriteFile(surface, ".ply", options);
+  EXPECT_NE(ply.find("vertex_indices\nproperty uint wall\nend_header\n"), std::string::npos);
+  const std::string last("\x3\0\0\0\0\x3\0\0\0\x4\0\0\0\2\1\0\0", 17);
+  EXPECT_EQ(ply.substr(ply.size() - last.size()), last);
+  EXPECT_NE(WriteFile(surface, ".obj", options).find("f 1 2 3 4\ng WALL_258\nf 1 4 5\n"), std::string::npos);
+  for (const std::string & extension : Extensions)
+  {
+    const MeshFormat format = GetMeshFormat("m" + extension);
+    const auto       without = WriteFile(MakeTwoFaces(), extension);
+    EXPECT_EQ(WriteFile(surface, extension, options) != without, HoldsWalls(format)) << extension;
+  }
+}
+
 TEST(MeshWriter, StlSplitsQuadsAlongTheShorterDiagonal)
 {
   const std::string bytes = WriteFile(MakeTwoFaces(), ".stl");

@@ -68,6 +68,36 @@ TEST(SolverWriter, LsDynaInWhole)
             "*SET_SHELL_LIST_TITLE\nJUNCTION\n2         \n2         \n*END\n");
 }
 
+TEST(SolverWriter, WallsAreSets)
+{
+  // A quad that becomes two elements, one without a wall, and a wall of two faces; wall 2 has none.
+  TestMesh surface = MakeSquares({ 1.0, 1.0, 1.0, 1.0 });
+  surface.vertices[2].position = { 0.3, 0.3, 0 };
+  surface.faces[0].wall = 3;
+  surface.faces[2].wall = 1;
+  surface.faces[3].wall = 3;
+  for (const std::uint64_t keptNumbers : { std::uint64_t{ 1 } << 22, std::uint64_t{ 3 }, std::uint64_t{ 1 } })
+  {
+    MeshWriteOptions options;
+    options.hasWalls = true;
+    options.keptNumbers = keptNumbers;
+    std::string text = WriteFile(surface, ".inp", options);
+    EXPECT_NE(text.find("*ELSET, ELSET=WALL_1\n4\n*ELSET, ELSET=WALL_3\n1, 2, 5\n**\n"), std::string::npos) << text;
+    EXPECT_EQ(text.find("WALL_2"), std::string::npos);
+    text = WriteFile(surface, ".bdf", options);
+    EXPECT_NE(text.find("$ Set 1001: elements of WALL_1\nSET 1001 = 4\n"
+                        "$ Set 1003: elements of WALL_3\nSET 1003 = 1,2,5\nBEGIN BULK\n"),
+              std::string::npos)
+      << text;
+    text = WriteFile(surface, ".k", options);
+    EXPECT_NE(text.find("*SET_SHELL_LIST_TITLE\nWALL_1\n1001      \n4         \n"
+                        "*SET_SHELL_LIST_TITLE\nWALL_3\n1003      \n1         2         5         \n*END\n"),
+              std::string::npos)
+      << text;
+  }
+  EXPECT_EQ(WriteFile(surface, ".inp").find("WALL"), std::string::npos);
+}
+
 TEST(SolverWriter, ThicknessAtNodes)
 {
   // Three squares in a row whose ends are rims; walls are 2 at the left, 3 at the right.

@@ -3,11 +3,12 @@
 """Reads mesh files with a library and writes what they hold as JSON by file: read_surface.py READER JSON-FILE FILE...
 
 Keys: points; faces, as lists of places in points; if the format has them: thickness, ray_thickness, colors and
-object_of_points of the points; area, rim, junction, object, cap, group and section_thickness of the faces; sets, the
+object_of_points of the points; area, rim, junction, object, wall, cap, group and section_thickness of the faces; sets, the
 places of the elements by name; node_sets, the places of the points by name; corner_thickness of the corners of each
 face, where the format has it."""
 
 import json
+import re
 import sys
 
 
@@ -22,7 +23,7 @@ def read_with_pyvista(path):
     names = {"Thickness": "thickness", "_THICKNESS": "thickness", "_RAY_THICKNESS": "ray_thickness", "COLOR_0": "colors"}
     names |= {"ray_thickness": "ray_thickness"}
     content |= {key: mesh.point_data[name].tolist() for name, key in names.items() if name in mesh.point_data}
-    names = {"area": "Area", "rim": "RimEdges", "junction": "JunctionEdges", "object": "Object", "cap": "Cap"}
+    names = {"area": "Area", "rim": "RimEdges", "junction": "JunctionEdges", "object": "Object", "wall": "Wall", "cap": "Cap"}
     return content | {key: mesh.cell_data[name].tolist() for key, name in names.items() if name in mesh.cell_data}
 
 
@@ -37,7 +38,8 @@ def read_with_meshio(path):
     if "object" in mesh.point_data:
         content["object_of_points"] = mesh.point_data["object"].tolist()
     for name, blocks in mesh.cell_data.items():
-        key = {"Area": "area", "RimEdges": "rim", "JunctionEdges": "junction", "Object": "object", "obj:group_ids": "group"}.get(name)
+        keys = {"Area": "area", "RimEdges": "rim", "JunctionEdges": "junction", "Object": "object", "Wall": "wall"}
+        key = (keys | {"obj:group_ids": "group"}).get(name)
         if key:
             content[key] = [value.item() for block in blocks for value in block]
     first = [sum(len(block.data) for block in mesh.cells[:index]) for index in range(len(mesh.cells))]
@@ -68,7 +70,10 @@ def read_with_gmsh(path):
 def read_with_trimesh(path):
     import trimesh  # pylint: disable=import-outside-toplevel
 
-    (mesh,) = trimesh.load(path, process=False).geometry.values()
+    mesh = trimesh.load(path, process=False)
+    if path.endswith(".ply"):
+        return {"faces": mesh.faces.tolist(), "wall": mesh.metadata["_ply_raw"]["face"]["data"]["wall"].ravel().tolist()}
+    (mesh,) = mesh.geometry.values()
     content = {"points": mesh.vertices.tolist(), "faces": mesh.faces.tolist()}
     content["colors"] = mesh.visual.vertex_attributes["color"].tolist()
     for key, name in {"thickness": "_THICKNESS", "ray_thickness": "_RAY_THICKNESS"}.items():
@@ -86,9 +91,11 @@ def read_with_pynastran(path):
     elements = [model.elements[number] for number in sorted(model.elements)]
     control = model.case_control_deck.subcases[0].params if model.case_control_deck else {}
     sets = {name: control[f"SET {number}"][0] for number, name in ((1, "RIM"), (2, "JUNCTION")) if f"SET {number}" in control}
+    walls = {int(key[4:]) - 1000: numbers for key, (numbers, *_) in control.items() if re.fullmatch(r"SET 1\d{3}", key)}
     thicknesses = [[element.T1, element.T2, element.T3, getattr(element, "T4", None)] for element in elements]
     return {
         "node_sets": {name: [place[number] for number in numbers] for name, numbers in sets.items()},
+        "sets": {f"WALL_{wall}": [number - 1 for number in members] for wall, members in walls.items()},
         "corner_thickness": [four[: len(element.nodes)] for element, four in zip(elements, thicknesses)],
         "points": [model.nodes[number].xyz.tolist() for number in numbers],
         "faces": [[place[corner] for corner in element.nodes] for element in elements],

@@ -16,7 +16,7 @@ from test_identity import rough_shell
 
 
 class Mesh:
-    """Vertices (x, y, z, thickness), of a label map with the label of the object, and faces of a PLY file."""
+    """Vertices (x, y, z, thickness), of a label map with the label of the object, faces, and perhaps walls of a PLY file."""
 
     def __init__(self, path):
         header, data = path.read_bytes().split(b"end_header\n", 1)
@@ -26,11 +26,14 @@ class Mesh:
         record = struct.Struct(("<dddf" if self.is_double else "<ffff") + ("i" if b"property int object" in header else ""))
         position = record.size * vertices
         self.vertices = list(record.iter_unpack(data[:position]))
-        self.faces = []
+        self.faces, self.walls = [], []
         for _ in range(faces):
             end = position + 1 + 4 * data[position]
             self.faces.append(tuple(array.array("I", data[position + 1 : end])))
             position = end
+            if b"property uint wall" in header:
+                self.walls += struct.unpack_from("<I", data, position)
+                position += 4
         assert position == len(data), "bytes after the last face"
 
 

@@ -26,7 +26,7 @@ NEEDS = {
 NEEDS_OF_EXTRACT = {
     "--largest-ball": ["--local-thickness=t.mha"], "--local-thickness-method": ["--local-thickness=t.mha"],
     "--element-size": ["--mesh=m.inp"], "--sections": ["--mesh=m.inp"], "--vector-boundary": ["--vectors=v.mha"],
-    "--extend-rims": ["--mesh=m.inp"],
+    "--extend-rims": ["--mesh=m.inp"], "--mesh-walls": ["--mesh=m.inp"],
     "--min-component-size": ["--mesh=m.inp"], "--color-range": ["--html=p.html"],
 }  # fmt: skip
 FLAG_WORDS = ["true", "ON", "Yes", "1", "false", "off", "NO", "0"]

@@ -14,16 +14,17 @@ Results have the bytes of the program `medialvoxel`, which this package brings, 
     (841, 4.0)
 """
 
-from ._arrays import distance, extract, local_thickness, mesh
+from ._arrays import distance, extract, local_thickness, mesh, walls
 from ._by_program import surface_thickness, thin_places
 from ._native import version as _version
 from ._program import NotMeasuredError, ThinPlacesError, distance_file, extract_file, info, mesh_file, surface_file
 from ._results import Distances, LocalThickness, Medial, Mesh, Place, Places
+from ._walls import Seam, Wall, Walls
 from ._warnings import MedialVoxelWarning
 
 __all__ = [
-    "Distances", "LocalThickness", "Medial", "MedialVoxelWarning", "Mesh", "NotMeasuredError", "Place", "Places",
-    "ThinPlacesError", "distance", "distance_file", "extract", "extract_file", "info", "local_thickness", "mesh", "mesh_file",
-    "surface_file", "surface_thickness", "thin_places",
+    "Distances", "LocalThickness", "Medial", "MedialVoxelWarning", "Mesh", "NotMeasuredError", "Place", "Places", "Seam",
+    "ThinPlacesError", "Wall", "Walls", "distance", "distance_file", "extract", "extract_file", "info", "local_thickness", "mesh", "mesh_file",
+    "surface_file", "surface_thickness", "thin_places", "walls",
 ]  # fmt: skip
 __version__ = _version()

@@ -16,6 +16,7 @@ from ._parameters import describe
 from ._progress import Progress, show
 from ._results import Distances, LocalThickness, Medial, Mesh
 from ._threads import count_processors
+from ._walls import Walls, read_seam, read_wall
 from ._warnings import warn
 
 Number = Union[int, float, np.integer[Any], np.floating[Any]]
@@ -226,6 +227,63 @@ def mesh(
     numbers, surface = call.run(["mesh", "array", "mesh.vtp", *make_options(options), *flags], {}, progress)
     points, faces, thickness_of_points = surface
     return Mesh(points, faces, thickness_of_points, numbers["lower"])
+
+
+@describe
+def walls(
+    array: ArrayLike,
+    *,
+    thickness: Length = "auto",
+    spacing: ArrayLike | None = None,
+    lower: Number | Literal["otsu"] | None = None,
+    upper: Number | None = None,
+    label: int | None = None,
+    smooth: Smooth = None,
+    min_thickness: Length | None = None,
+    max_thickness: Length | None = None,
+    max_pore_size: int | None = None,
+    sub_voxel: bool | None = None,
+    materials: tuple[Number, Number] | None = None,
+    threads: int | None = None,
+    memory: int | str | None = None,
+    progress: Progress = None,
+) -> Walls:
+    """The walls of an object of 3 axes, cut where three or more of them meet and at sharp bends, and the seams there.
+
+    The whole sheet is in memory, with up to 300 bytes for each cell.
+
+    Returns
+    -------
+    Walls
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> tee = np.zeros((32, 36, 44), bool)
+    >>> tee[4:8, 4:32, 4:40] = True
+    >>> tee[8:28, 4:32, 20:24] = True
+    >>> found = walls(tee)
+    >>> len(found.walls), [seam.walls for seam in found.seams]
+    (3, [(1, 2, 3)])
+    """
+    call = _Call(array, spacing)
+    if len(call.shape) != 3:
+        raise ValueError(f"the array has {len(call.shape)} axes; walls need 3")
+    outputs: dict[str, Any] = {"walls": call.make(np.uint32)}
+    options = _make_thickness_options(thickness, smooth, min_thickness, max_thickness, max_pore_size)
+    options |= {
+        "walls": "walls.mha",
+        "lower": lower,
+        "upper": upper,
+        "label": label,
+        "sub_voxel": sub_voxel,
+        "materials": materials,
+        "threads": count_processors() if threads is None else threads,
+        "memory": memory,
+    }
+    numbers, _ = call.run(["extract", "array", *make_options(options)], outputs, progress)
+    rows, seams = [read_wall(row) for row in numbers["walls"]], [read_seam(row) for row in numbers["seams"]]
+    return Walls(outputs["walls"], rows, seams, numbers["lower"])
 
 
 @describe

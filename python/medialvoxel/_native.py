@@ -35,7 +35,8 @@ class _Control(ctypes.Structure):
 
 
 class _Outputs(ctypes.Structure):
-    _fields_ = [(name, ctypes.c_void_p) for name in ("labels", "thickness", "uncertainty", "importance", "vectors", "distance", "objects")]
+    _names = ("labels", "thickness", "uncertainty", "importance", "vectors", "distance", "objects", "walls")
+    _fields_ = [(name, ctypes.c_void_p) for name in _names]
 
 
 class _Mesh(ctypes.Structure):

@@ -40,6 +40,8 @@ _TEXTS = {
     "vector_boundary": "Voxels that vectors lead to: those of the object, or of the background.",
     "sub_voxel": "Measure the thickness on gray values, which needs `lower` or `upper`: by fits of blurred walls, or, where these cannot "
     "be, where values cross the threshold. False: on the object. Default: by fits, else on the object.",
+    "walls.sub_voxel": "Measure thickness and points on gray values, which needs `lower` or `upper`. False: on the object. Default: on "
+    "where one threshold cuts the values.",
     "mesh.sub_voxel": "Measure the thickness on gray values, which needs `lower` or `upper`, and place points between voxels. Default: on "
     "for elements of a size with one of `lower` and `upper`, else off. A mask is measured halfway between its two values.",
     "materials": "Values of (background, material) for these fits, which differ; default those of the scan.",

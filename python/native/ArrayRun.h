@@ -39,6 +39,8 @@ struct ArrayMesh
 nlohmann::json
 ExtractArray(const ArrayCall & call, const ExtractOptions & options);
 nlohmann::json
+NumberArrayWalls(const ArrayCall & call, const ExtractOptions & options);
+nlohmann::json
 MeshArray(const ArrayCall & call, const ExtractOptions & options, ArrayMesh & mesh);
 nlohmann::json
 MeasureDistances(const ArrayCall & call, const DistanceOptions & options);

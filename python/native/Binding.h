@@ -36,13 +36,14 @@ struct MedialVoxelControl
 /** Targets of results, a value or a vector (z, y, x) for each voxel; null: not wanted. */
 struct MedialVoxelOutputs
 {
-  std::uint8_t * labels;
-  float *        thickness;
-  float *        uncertainty;
-  float *        importance;
-  float *        vectors;
-  float *        distance;
-  void *         objects; ///< of the type of the array
+  std::uint8_t *  labels;
+  float *         thickness;
+  float *         uncertainty;
+  float *         importance;
+  float *         vectors;
+  float *         distance;
+  void *          objects; ///< of the type of the array
+  std::uint32_t * walls;
 };
 
 /** How a call ended. */

@@ -180,7 +180,9 @@ RunArguments(const ArrayCall & call, std::vector<std::string> arguments, ArrayMe
       return MeshArray(of, options, mesh);
     });
   }
-  return Run<ExtractOptions>(call, Commands::Extract, arguments, ExtractArray);
+  return Run<ExtractOptions>(call, Commands::Extract, arguments, [](const auto & of, const auto & options) {
+    return options.wallsFile.empty() ? ExtractArray(of, options) : NumberArrayWalls(of, options);
+  });
 }
 
 } // end namespace medialvoxel

@@ -4,6 +4,7 @@
 #include "MedialVoxelTestElements.h"
 #include "MedialVoxelTestPhantoms.h"
 
+#include "itkMedialVoxelNearestWall.h"
 #include "itkMedialVoxelSheetWalls.h"
 
 #include <gtest/gtest.h>
@@ -245,6 +246,31 @@ TEST(MedialVoxelSheetWalls, ScaleChangesNothing)
   EXPECT_NEAR(walls.seams[0].length, 90.0, 3.0);
   EXPECT_NEAR(walls.seams[0].angles[1], 90.0, 5.0);
   EXPECT_NEAR(walls.walls[0].area, 5400.0, 300.0);
+}
+
+/** Against a look at all points. */
+TEST(MedialVoxelNearestWall, IsThatOfTheFirstNearestPoint)
+{
+  std::vector<Vector3>       points;
+  std::vector<std::uint32_t> walls;
+  for (std::uint32_t k = 0; k < 500; ++k)
+  {
+    const std::uint32_t draw = k * 2654435761u;
+    points.push_back({ { draw % 7 * 1.0, draw / 7 % 11 * 1.0, draw / 77 % 13 * 1.0 } }); // some of them twice
+    walls.push_back(k % 10);
+  }
+  const itk::MedialVoxelNearestWall nearest(points, walls);
+  for (int k = 0; k < 1000; ++k)
+  {
+    const Vector3 place{ { k % 15 * 0.5, k / 15 % 23 * 0.5, k / 345 * 0.5 } };
+    const auto    first = std::min_element(points.begin(), points.end(), [&](const Vector3 & a, const Vector3 & b) {
+      const Vector3 toA = itk::MedialVoxelSubtract(a, place);
+      const Vector3 toB = itk::MedialVoxelSubtract(b, place);
+      return itk::MedialVoxelDot(toA, toA) < itk::MedialVoxelDot(toB, toB);
+    });
+    EXPECT_EQ(nearest.Find(place), walls[static_cast<std::size_t>(first - points.begin())]);
+  }
+  EXPECT_EQ(itk::MedialVoxelNearestWall({}, {}).Find({}), 0u);
 }
 
 /** Tasks in any order give the same numbers to the last bit. */

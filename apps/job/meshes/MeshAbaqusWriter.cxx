@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "MeshElements.h"
+#include "MeshElementSets.h"
 #include "SheetSections.h"
 #include "MeshWriters.h"
 
@@ -88,60 +88,6 @@ WriteElements(MeshReader & reader, unsigned int numberOfVertices, const char * h
       output.Text("\n");
     }
   });
-}
-
-/** Ends of the runs of sections whose elements are kept at once; a section that is too large is a run of its own. */
-std::vector<size_t>
-GetRunEnds(const std::vector<SheetSection> & sections, std::uint64_t keptElements)
-{
-  std::vector<size_t> ends;
-  std::uint64_t       kept = 0;
-  for (size_t section = 0; section < sections.size(); ++section)
-  {
-    kept += sections[section].numberOfElements;
-    if (section > 0 && kept > keptElements)
-    {
-      ends.push_back(section);
-      kept = sections[section].numberOfElements;
-    }
-  }
-  ends.push_back(sections.size());
-  return ends;
-}
-
-/** The sets of a run of sections; the elements of a single one need not be kept. */
-void
-WriteSectionSets(MeshReader & reader, const SheetSections & sections, size_t begin, size_t end, BufferedOutput & output)
-{
-  if (end - begin == 1)
-  {
-    SetLines lines(ElementSet + GetSetName(begin), output);
-    ForEachElement(reader, [&](std::uint64_t number, const MeshFace & face, const MeshCorners &) {
-      if (sections.GetSection(reader, face) == begin)
-      {
-        lines.Add(number);
-      }
-    });
-    lines.Finish();
-    return;
-  }
-  std::vector<std::vector<std::uint64_t>> elements(end - begin);
-  ForEachElement(reader, [&](std::uint64_t number, const MeshFace & face, const MeshCorners &) {
-    const size_t section = sections.GetSection(reader, face);
-    if (section >= begin && section < end)
-    {
-      elements[section - begin].push_back(number);
-    }
-  });
-  for (size_t section = begin; section < end; ++section)
-  {
-    SetLines lines(ElementSet + GetSetName(section), output);
-    for (const std::uint64_t element : elements[section - begin])
-    {
-      lines.Add(element);
-    }
-    lines.Finish();
-  }
 }
 
 /** Elements with some of the sides that are marked in their faces. */
@@ -244,11 +190,13 @@ WriteMeshAbaqus(MeshReader & reader, const MeshWriteOptions & options, BufferedO
   const SheetEdges    edges(reader);
   const SheetSections sections(reader, edges, options);
   CheckElementsFit(MeshFormat::Abaqus, reader, sections);
-  const std::vector<size_t> ends = GetRunEnds(sections.GetSections(), options.keptNumbers);
-  const std::uint64_t       elementPasses = (sections.GetNumberOfTriangles() > 0) + (sections.GetNumberOfQuads() > 0);
-  const std::uint64_t       nodePasses =
+  const MeshElementSets sectionSets(sections.CountElements(), options.keptNumbers);
+  const MeshElementSets wallSets(CountElementsOfWalls(reader, options), options.keptNumbers);
+  const std::uint64_t   elementPasses = (sections.GetNumberOfTriangles() > 0) + (sections.GetNumberOfQuads() > 0);
+  const std::uint64_t   setPasses = sectionSets.GetNumberOfPasses() + wallSets.GetNumberOfPasses();
+  const std::uint64_t   nodePasses =
     isAtNodes ? CountNodePasses(reader.GetMesh().GetNumberOfVertices(), options.keptNumbers) : 0;
-  reader.SetNumberOfPasses(1, 13 + elementPasses + ends.size() + nodePasses);
+  reader.SetNumberOfPasses(1, 13 + (options.hasWalls ? 1 : 0) + elementPasses + setPasses + nodePasses);
 
   output.Text("*HEADING\n" + GetTitle(options) + "\n");
   WriteNodes(reader, output);
@@ -260,16 +208,16 @@ WriteMeshAbaqus(MeshReader & reader, const MeshWriteOptions & options, BufferedO
   {
     WriteElements(reader, 4, "*ELEMENT, TYPE=S4, ELSET=QUADS\n", output);
   }
-  size_t begin = 0;
-  for (const size_t end : ends)
-  {
-    WriteSectionSets(reader, sections, begin, end, output);
-    begin = end;
-  }
+  const auto setOf = [&output](const std::string & name) { return SetLines(ElementSet + name, output); };
+  sectionSets.Write(
+    reader,
+    [&](const MeshFace & face) { return sections.GetSection(reader, face); },
+    [&](const size_t section) { return setOf(GetSetName(section)); });
   output.Text("** RIM and JUNCTION are sets of nodes and of elements; of those in RIM_E1, side E1 is at a rim.\n");
   WriteEdgeSets(reader, "RIM", edges.GetRims(), &MeshFace::rimEdges, output);
   WriteEdgeSets(reader, "JUNCTION", edges.GetJunctions(), &MeshFace::junctionEdges, output);
   WriteObjectSets(reader, options.objectLabels, output);
+  wallSets.Write(reader, GetWallGroup, [&](const size_t group) { return setOf(GetWallName(group + 1)); });
   if (isAtNodes)
   {
     WriteNodalThickness(reader, edges, sections, options, output);

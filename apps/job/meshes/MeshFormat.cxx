@@ -36,6 +36,7 @@ struct FormatDescription
   std::uint64_t unitLimit;
   bool          isForParts{ false };   ///< holds all numbers of the surface of a part
   bool          isForSolvers{ false }; ///< holds elements with a thickness
+  bool          holdsWalls{ true };    ///< of faces
 };
 
 std::uint64_t
@@ -77,12 +78,21 @@ constexpr std::array<FormatDescription, 10> Formats{
     { MeshFormat::Vtu, ".vtu", WriteMeshVtu, Unlimited, "faces", CountFaces, Unlimited, true },
     { MeshFormat::Vtk, ".vtk", WriteMeshVtk, Int32Limit, "numbers in faces", CountLegacyNumbers, Int32Limit },
     { MeshFormat::Ply, ".ply", WriteMeshPly, Int32Limit, "faces", CountFaces, Int32Limit, true },
-    { MeshFormat::Stl, ".stl", WriteMeshStl, Unlimited, "triangles", CountTriangles, UInt32Limit },
+    { MeshFormat::Stl, ".stl", WriteMeshStl, Unlimited, "triangles", CountTriangles, UInt32Limit, false, false, false },
     { MeshFormat::Obj, ".obj", WriteMeshObj, Unlimited, "faces", CountFaces, Unlimited },
     { MeshFormat::Abaqus, ".inp", WriteMeshAbaqus, AbaqusLimit, "elements", CountFaces, AbaqusLimit, false, true },
     { MeshFormat::Nastran, ".bdf", WriteMeshNastran, FieldLimit, "elements", CountFaces, FieldLimit, false, true },
     { MeshFormat::LsDyna, ".k", WriteMeshLsDyna, FieldLimit, "elements", CountFaces, FieldLimit, false, true },
-    { MeshFormat::Gltf, ".glb", WriteMeshGltf, Int32Limit, "numbers", CountGltfNumbers, GltfLimit, true } }
+    { MeshFormat::Gltf,
+      ".glb",
+      WriteMeshGltf,
+      Int32Limit,
+      "numbers",
+      CountGltfNumbers,
+      GltfLimit,
+      true,
+      false,
+      false } }
 };
 
 const FormatDescription &
@@ -112,33 +122,23 @@ CheckLimit(const FormatDescription & description, const char * unit, std::uint64
 
 } // namespace
 
-std::vector<std::string>
-ListMeshExtensions()
+namespace
 {
-  std::vector<std::string> extensions;
-  for (const auto & description : Formats)
-  {
-    extensions.emplace_back(description.extension);
-  }
-  return extensions;
-}
 
+template <typename TCondition>
 std::vector<std::string>
-ListPartExtensions()
+ListExtensions(TCondition && isListed)
 {
   std::vector<std::string> extensions;
   for (const auto & description : Formats)
   {
-    if (description.isForParts)
+    if (isListed(description))
     {
       extensions.emplace_back(description.extension);
     }
   }
   return extensions;
 }
-
-namespace
-{
 
 /** The format of the extension, which is to be one of the known ones. */
 MeshFormat
@@ -161,6 +161,24 @@ FindFormat(const std::string & fileName, const char * what, const std::vector<st
 }
 
 } // namespace
+
+std::vector<std::string>
+ListMeshExtensions()
+{
+  return ListExtensions([](const FormatDescription &) { return true; });
+}
+
+std::vector<std::string>
+ListPartExtensions()
+{
+  return ListExtensions([](const FormatDescription & description) { return description.isForParts; });
+}
+
+std::vector<std::string>
+ListWallExtensions()
+{
+  return ListExtensions([](const FormatDescription & description) { return description.holdsWalls; });
+}
 
 MeshFormat
 GetMeshFormat(const std::string & fileName)
@@ -186,11 +204,23 @@ HoldsElements(MeshFormat format)
   return GetDescription(format).isForSolvers;
 }
 
+bool
+HoldsWalls(MeshFormat format)
+{
+  return GetDescription(format).holdsWalls;
+}
+
 std::string
 GetObjectName(std::int64_t label)
 {
   const std::string digits = std::to_string(label);
   return label < 0 ? "OBJECT_MINUS_" + digits.substr(1) : "OBJECT_" + digits;
+}
+
+std::string
+GetWallName(std::uint64_t wall)
+{
+  return "WALL_" + std::to_string(wall);
 }
 
 void

@@ -52,6 +52,14 @@ GetPartFormat(const std::string & fileName);
 bool
 HoldsDouble(MeshFormat format);
 
+/** Whether a format has a place for the wall of each face. */
+bool
+HoldsWalls(MeshFormat format);
+
+/** Extensions of these formats. */
+std::vector<std::string>
+ListWallExtensions();
+
 /** Least and greatest thickness that a color of its own stands for. */
 struct ThicknessRange
 {
@@ -78,6 +86,9 @@ struct MeshWriteOptions
    * Empty: the surface is that of one object, and nothing is written of it. */
   std::vector<std::int64_t> objectLabels;
 
+  /** Faces have the number of their wall. */
+  bool hasWalls{ false };
+
   /** The surface of a part, not its medial surface: its faces have no rims and junctions, but caps. */
   bool isOfPart{ false };
 
@@ -90,7 +101,7 @@ struct MeshWriteOptions
   /** For formats with colors; unset: from the least to the greatest thickness of the vertices. */
   std::optional<ThicknessRange> colorRange;
 
-  /** Abaqus: elements or nodes whose numbers or thickness, of 8 bytes, are kept at once; no other influence. */
+  /** Solvers: elements or nodes whose numbers or thickness, of 8 bytes, are kept at once; no other influence. */
   std::uint64_t keptNumbers{ std::uint64_t{ 1 } << 22 };
 
   /** Called with the share done, 0 to 1, some times per second; may throw to stop. */

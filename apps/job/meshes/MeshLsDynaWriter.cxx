@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "FixedWidthFields.h"
-#include "MeshElements.h"
+#include "MeshElementSets.h"
 #include "SheetSections.h"
 
 namespace medialvoxel
@@ -187,6 +187,8 @@ WriteMeshLsDyna(MeshReader & reader, const MeshWriteOptions & options, BufferedO
   const SheetEdges    edges(reader);
   const SheetSections sections(reader, edges, options);
   CheckElementsFit(MeshFormat::LsDyna, reader, sections);
+  const MeshElementSets wallSets(CountElementsOfWalls(reader, options), options.keptNumbers);
+  reader.SetNumberOfPasses(1, 5 + (options.hasWalls ? 1 : 0) + wallSets.GetNumberOfPasses());
   output.Text("*KEYWORD\n*TITLE\n" + GetTitle(options) + "\n");
   WriteSpans(sections.GetSections(), options.objectLabels, output);
   WriteNodes(reader, output);
@@ -196,6 +198,9 @@ WriteMeshLsDyna(MeshReader & reader, const MeshWriteOptions & options, BufferedO
   WriteElementSet(reader, 1, "RIM", &MeshFace::rimEdges, output);
   WriteElementSet(reader, 2, "JUNCTION", &MeshFace::junctionEdges, output);
   WriteObjectSets(sections.GetSections(), options.objectLabels, output);
+  wallSets.Write(reader, GetWallGroup, [&](const size_t group) {
+    return ListCards("*SET_SHELL_LIST_TITLE", FirstWallSet + group + 1, GetWallName(group + 1), output);
+  });
   output.Text("*END\n");
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "FixedWidthFields.h"
-#include "MeshElements.h"
+#include "MeshElementSets.h"
 #include "SheetSections.h"
 
 #include <array>
@@ -18,32 +18,66 @@ constexpr size_t LargeField = 16;
 /** Characters of a line of the case control. */
 constexpr size_t LineLength = 72;
 
-/** A set of nodes of the case control, which a solver refuses to be empty. */
-void
-WriteSet(unsigned int number, const char * name, const std::vector<bool> & marks, BufferedOutput & output)
+/** \class SetLines
+ * \brief A set of the case control, which appears in the file with the first of its members: a solver refuses empty
+ * ones.
+ */
+class SetLines
 {
-  std::string line;
-  ForEachMarked(marks, [&](std::uint64_t node) {
-    const std::string text = std::to_string(node + 1);
-    if (line.empty())
-    {
-      const std::string digits = std::to_string(number);
-      output.Text("$ Set " + digits + ": nodes of " + name + "\n");
-      line = "SET " + digits + " = " + text;
-      return;
-    }
-    line += ",";
-    if (line.size() + text.size() + 1 > LineLength)
-    {
-      output.Text(line + "\n");
-      line.clear();
-    }
-    line += text;
-  });
-  if (!line.empty())
+public:
+  /** \param what as "nodes of RIM" */
+  SetLines(const std::uint64_t number, const std::string & what, BufferedOutput & output)
+    : m_Output(output)
+    , m_Head("$ Set " + std::to_string(number) + ": " + what + "\n")
+    , m_Line("SET " + std::to_string(number) + " = ")
+  {}
+
+  void
+  Add(const std::uint64_t member)
   {
-    output.Text(line + "\n");
+    const std::string text = std::to_string(member);
+    if (m_IsEmpty)
+    {
+      m_Output.Text(m_Head);
+      m_IsEmpty = false;
+    }
+    else
+    {
+      m_Line += ",";
+    }
+    if (m_Line.size() + text.size() + 1 > LineLength)
+    {
+      m_Output.Text(m_Line + "\n");
+      m_Line.clear();
+    }
+    m_Line += text;
   }
+
+  void
+  Finish()
+  {
+    if (!m_IsEmpty)
+    {
+      m_Output.Text(m_Line + "\n");
+    }
+  }
+
+private:
+  BufferedOutput & m_Output;
+  std::string      m_Head;
+  std::string      m_Line;
+  bool             m_IsEmpty{ true };
+};
+
+void
+WriteNodeSet(const std::uint64_t       number,
+             const std::string &       name,
+             const std::vector<bool> & marks,
+             BufferedOutput &          output)
+{
+  SetLines lines(number, "nodes of " + name, output);
+  ForEachMarked(marks, [&](const std::uint64_t node) { lines.Add(node + 1); });
+  lines.Finish();
 }
 
 void
@@ -161,9 +195,14 @@ WriteMeshNastran(MeshReader & reader, const MeshWriteOptions & options, Buffered
   const SheetEdges    edges(reader);
   const SheetSections sections(reader, edges, options);
   CheckElementsFit(MeshFormat::Nastran, reader, sections);
+  const MeshElementSets wallSets(CountElementsOfWalls(reader, options), options.keptNumbers);
+  reader.SetNumberOfPasses(1, 3 + (options.hasWalls ? 1 : 0) + wallSets.GetNumberOfPasses());
   output.Text("$ " + GetTitle(options) + "\nSOL 101\nCEND\n");
-  WriteSet(1, "RIM", edges.GetRims(), output);
-  WriteSet(2, "JUNCTION", edges.GetJunctions(), output);
+  WriteNodeSet(1, "RIM", edges.GetRims(), output);
+  WriteNodeSet(2, "JUNCTION", edges.GetJunctions(), output);
+  wallSets.Write(reader, GetWallGroup, [&](const size_t group) {
+    return SetLines(FirstWallSet + group + 1, "elements of " + GetWallName(group + 1), output);
+  });
   output.Text("BEGIN BULK\n");
   WriteProperties(sections.GetSections(), options.objectLabels, output);
   WriteNodes(reader, output);

@@ -16,11 +16,17 @@ WriteMeshObj(MeshReader & reader, const MeshWriteOptions & options, BufferedOutp
     output.Text("\n");
   });
   std::uint32_t object = 0;
+  std::uint32_t wall = 0;
   reader.ForEachFace([&](std::uint64_t, const MeshFace & face) {
     if (!options.objectLabels.empty() && reader.GetObject(face) != object)
     {
       object = reader.GetObject(face);
       output.Text("g " + GetObjectName(GetLabel(reader, options, face)) + "\n");
+    }
+    if (options.hasWalls && face.wall != wall)
+    {
+      wall = face.wall;
+      output.Text("g " + GetWallName(wall) + "\n");
     }
     output.Text("f");
     for (unsigned int corner = 0; corner < face.numberOfVertices; ++corner)

@@ -39,8 +39,10 @@ WriteMeshPly(MeshReader & reader, const MeshWriteOptions & options, BufferedOutp
   output.Text(!hasObjects ? "" : isInt32 ? "\nproperty int object" : "\nproperty double object");
   output.Text("\nelement face ");
   output.Integer(reader.GetMesh().GetNumberOfFaces());
-  // Nothing more per face: not every reader skips it, that of meshio does not.
-  output.Text("\nproperty list uchar int vertex_indices\nend_header\n");
+  // Nothing more per face that nobody asked for: not every reader takes it, that of meshio does not.
+  output.Text("\nproperty list uchar int vertex_indices")
+    .Text(options.hasWalls ? "\nproperty uint wall" : "")
+    .Text("\nend_header\n");
   reader.ForEachVertex([&](std::uint64_t number, const auto & vertex) {
     ForEachCoordinate(reader, vertex, [&](auto coordinate) { output.LittleEndian(coordinate); });
     output.LittleEndian(vertex.thickness);
@@ -59,6 +61,10 @@ WriteMeshPly(MeshReader & reader, const MeshWriteOptions & options, BufferedOutp
     for (unsigned int corner = 0; corner < face.numberOfVertices; ++corner)
     {
       output.LittleEndian(static_cast<std::uint32_t>(face.vertices[corner]));
+    }
+    if (options.hasWalls)
+    {
+      output.LittleEndian(face.wall);
     }
   });
 }

@@ -34,6 +34,7 @@ struct MeshFace
   std::uint8_t                 junctionEdges{ 0 };    ///< bit k: the edge from corner k to the next is of more than two
   double                       area{ 0 };             ///< physical units squared
   bool                         isCap{ false };        ///< closes a surface where the image cuts the part
+  std::uint32_t                wall{ 0 };             ///< its number; 0: none, or not known
 };
 
 /** \class MeshSink

@@ -102,6 +102,7 @@ MeshSpool::MeshSpool(const std::filesystem::path & folder, MeshPrecision precisi
   , m_MarkFile(folder)
   , m_Objects(folder)
   , m_UpperCorners(folder)
+  , m_Walls(folder)
   , m_Precision(precision)
   , m_HoldsFloats(precision == MeshPrecision::Single && input == MeshSpoolInput::Added)
 {}
@@ -161,6 +162,7 @@ MeshSpool::PutFaces(std::uint64_t first, const std::vector<MeshFace> & faces)
   std::vector<Corners>       corners(faces.size());
   std::vector<std::uint32_t> upper(4 * faces.size());
   std::vector<FaceMarks>     marks(faces.size());
+  std::vector<std::uint32_t> walls(faces.size());
   std::uint64_t              triangles = 0;
   std::uint64_t              needed = 0;
   for (std::size_t i = 0; i < faces.size(); ++i)
@@ -174,15 +176,23 @@ MeshSpool::PutFaces(std::uint64_t first, const std::vector<MeshFace> & faces)
     const auto end = face.vertices.begin() + face.numberOfVertices;
     needed = std::max(needed, *std::max_element(face.vertices.begin(), end) + 1);
     marks[i] = { static_cast<float>(face.area), face.numberOfVertices, face.rimEdges, face.junctionEdges, face.isCap };
+    walls[i] = face.wall;
     triangles += face.numberOfVertices == 3 ? 1 : 0;
   }
   WriteRecords(m_CornerFile, first, corners);
   WriteRecords(m_MarkFile, first, marks);
   const std::lock_guard<std::mutex> lock(m_Mutex);
   m_UpperCorners.Write(4 * first, upper);
+  m_Walls.Write(first, walls);
   m_NumberOfTriangles += triangles;
   m_NumberOfQuads += faces.size() - triangles;
   m_NumberOfNeededVertices = std::max(m_NumberOfNeededVertices, needed);
+}
+
+void
+MeshSpool::PutWalls(std::uint64_t first, const std::vector<std::uint32_t> & walls)
+{
+  m_Walls.Write(first, walls);
 }
 
 void
@@ -235,6 +245,14 @@ MeshSpool::ReadFaces(std::uint64_t           first,
     for (MeshFace & face : faces)
     {
       face.numberOfVertices = 4;
+    }
+  }
+  if (parts != MeshFaceFields::Corners)
+  {
+    const auto walls = m_Walls.Read(first, count);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+      faces[i].wall = walls[i];
     }
   }
 }

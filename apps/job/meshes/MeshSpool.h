@@ -41,6 +41,7 @@ public:
   /** In the scratch files, at most. */
   static constexpr std::uint64_t VertexSize = 32;
   static constexpr std::uint64_t FaceSize = 40;
+  static constexpr std::uint64_t WallSize = sizeof(std::uint32_t); ///< of each face, where walls are set
 
   /** Numbers of a vertex as files have them. */
   struct Vertex
@@ -107,6 +108,10 @@ public:
     return m_NumberOfNeededVertices;
   }
 
+  /** Sets the walls of faces that are there, from number \a first on. */
+  void
+  PutWalls(std::uint64_t first, const std::vector<std::uint32_t> & walls);
+
   /** Reads \a count vertices from number \a first on, which exist. \throw JobError Failure. */
   void
   ReadVertices(std::uint64_t first, std::uint64_t count, std::vector<Vertex> & vertices) const;
@@ -149,6 +154,7 @@ private:
   ScratchFile   m_MarkFile;
   RareNumbers   m_Objects;      // of vertices
   RareNumbers   m_UpperCorners; // four of each face: the upper halves of the numbers of its vertices
+  RareNumbers   m_Walls;        // of faces
   MeshPrecision m_Precision;
   bool          m_HoldsFloats; // in the records of vertices
   std::uint64_t m_NumberOfVertices{ 0 };

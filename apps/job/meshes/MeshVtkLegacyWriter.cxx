@@ -58,7 +58,7 @@ WriteGeometry(MeshReader & reader, BufferedOutput & output)
 void
 WriteMeshVtk(MeshReader & reader, const MeshWriteOptions & options, BufferedOutput & output)
 {
-  reader.SetNumberOfPasses(2, options.objectLabels.empty() ? 4 : 5);
+  reader.SetNumberOfPasses(2, 4 + (options.objectLabels.empty() ? 0 : 1) + (options.hasWalls ? 1 : 0));
   output.Text("# vtk DataFile Version 3.0\n" + GetTitle(options) + "\nBINARY\nDATASET POLYDATA\n");
   WriteGeometry(reader, output);
   output.Text("POINT_DATA ").Integer(reader.GetMesh().GetNumberOfVertices()).Text("\n");
@@ -75,6 +75,10 @@ WriteMeshVtk(MeshReader & reader, const MeshWriteOptions & options, BufferedOutp
   {
     WriteFaceScalars(
       reader, "Object", "vtktypeint64", output, [&](const MeshFace & face) { return GetLabel(reader, options, face); });
+  }
+  if (options.hasWalls)
+  {
+    WriteFaceScalars(reader, "Wall", "unsigned_int", output, [](const MeshFace & face) { return face.wall; });
   }
 }
 

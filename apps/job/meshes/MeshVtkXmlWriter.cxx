@@ -122,7 +122,7 @@ AddFaceArray(MeshReader &     reader,
 unsigned int
 CountFaceArrays(const MeshWriteOptions & options)
 {
-  return options.isOfPart ? 1 : (options.objectLabels.empty() ? 3 : 4);
+  return options.isOfPart ? 1 : 3 + (options.objectLabels.empty() ? 0 : 1) + (options.hasWalls ? 1 : 0);
 }
 
 void
@@ -144,6 +144,10 @@ AddCellData(MeshReader & reader, const MeshWriteOptions & options, AppendedArray
   {
     const auto labelOf = [&reader, &options](const MeshFace & face) { return GetLabel(reader, options, face); };
     AddFaceArray(reader, arrays, "Object", "Int64", labelOf, MeshFaceFields::Corners);
+  }
+  if (options.hasWalls)
+  {
+    AddFaceArray(reader, arrays, "Wall", "UInt32", [](const MeshFace & face) { return face.wall; });
   }
   arrays.Tag("/CellData");
 }

@@ -42,6 +42,13 @@ GetLabel(MeshReader & reader, const MeshWriteOptions & options, const MeshFace &
 std::string
 GetObjectName(std::int64_t label);
 
+/** The same of a wall: WALL_7. */
+std::string
+GetWallName(std::uint64_t wall);
+
+/** Where sets have numbers, that of a wall is its own and this one; there are some sets before. */
+constexpr std::uint64_t FirstWallSet = 1000;
+
 /** The kind of the mesh, for a reader. */
 inline std::string
 GetTitle(const MeshWriteOptions & options)

@@ -5,11 +5,14 @@
 #include "JobClock.h"
 #include "MeshPlacement.h"
 #include "MeshReader.h"
+#include "OrderedWork.h"
 #include "SheetObserver.h"
 #include "SheetQuality.h"
 #include "SheetRemeshing.h"
 #include "MeshSorting.h"
 #include "SheetThickness.h"
+
+#include "itkMedialVoxelNearestWall.h"
 
 #include <algorithm>
 #include <limits>
@@ -26,6 +29,9 @@ constexpr std::uint64_t WritingMemory = 8 * MiB;
 
 /** Planned density of vertices, whose tables and scratch files hold all of them; there are as many faces. */
 constexpr std::uint64_t VoxelsPerVertex = 64;
+
+/** Faces whose walls a thread looks for at a time. */
+constexpr std::uint64_t FacesOfTask = std::uint64_t{ 1 } << 12;
 
 /** Vertices of a surface that is planned for. */
 std::uint64_t
@@ -102,6 +108,7 @@ SheetMesh::Write(OutputFile &                        file,
     m_Options.sectionWidth.value_or(0.25 * *std::min_element(m_Geometry.spacing.begin(), m_Geometry.spacing.end()));
   options.thicknessPlace = m_Options.thicknessPlace;
   options.objectLabels = m_ObjectLabels;
+  options.hasWalls = m_Options.meshWalls;
   options.unit = m_Geometry.DescribeUnit();
   options.progress = progress;
   WriteMesh(GetMeshFormat(m_Options.meshFile), *m_Spool, options, file);
@@ -117,6 +124,7 @@ SheetMesh::Write(OutputFile &                        file,
     summary.quality = MeasureQuality(*m_Spool);
   }
   summary.remeshingSeconds = m_RemeshingSeconds;
+  summary.wallSeconds = m_WallSeconds;
   return summary;
 }
 
@@ -132,8 +140,11 @@ SheetMesh::Finish(std::uint64_t memoryLimit, unsigned int threads, const std::fu
   }
   else
   {
-    m_Observer->Finish();
+    this->CompleteSheet();
   }
+  // They are in memory until all faces are there.
+  memoryLimit -=
+    std::min(memoryLimit, m_Walls.points.size() * (sizeof(m_Walls.points.front()) + sizeof(m_Walls.wallOf.front())));
   if (m_Cleaning.IsOn())
   {
     m_Cleaning.memoryLimit += memoryLimit;
@@ -151,7 +162,56 @@ SheetMesh::Finish(std::uint64_t memoryLimit, unsigned int threads, const std::fu
     m_Area = 0.0;
     MeshReader(*m_Spool, {}).ForEachFace([this](std::uint64_t, const MeshFace & face) { m_Area += face.area; });
   }
+  if (m_Options.meshWalls)
+  {
+    const auto start = JobClock::now();
+    this->NumberFaces(threads, progress);
+    m_WallSeconds = SecondsSince(start);
+  }
   return *m_Spool;
+}
+
+void
+SheetMesh::CompleteSheet()
+{
+  if (!m_IsComplete)
+  {
+    m_Observer->Finish();
+    m_IsComplete = true;
+  }
+}
+
+void
+SheetMesh::NumberFaces(const unsigned int threads, const std::function<void(double)> & progress)
+{
+  const itk::MedialVoxelNearestWall nearest(std::move(m_Walls.points), std::move(m_Walls.wallOf));
+  const std::uint64_t               faces = m_Spool->GetNumberOfFaces();
+  const auto                        find = [&](const std::uint64_t task, const std::function<void()> & check) {
+    const std::uint64_t   first = task * FacesOfTask;
+    std::vector<MeshFace> ofTask;
+    m_Spool->ReadFaces(first, std::min(FacesOfTask, faces - first), ofTask, MeshFaceFields::Corners);
+    MeshReader                 reader(*m_Spool, {});
+    std::vector<std::uint32_t> walls;
+    for (const MeshFace & face : ofTask)
+    {
+      itk::MedialVoxelVector3 middle{};
+      for (unsigned int corner = 0; corner < face.numberOfVertices; ++corner)
+      {
+        middle = itk::MedialVoxelAddScaled(
+          middle, reader.GetVertex(face.vertices[corner]).position, 1.0 / face.numberOfVertices);
+      }
+      walls.push_back(nearest.Find(middle));
+    }
+    check();
+    return walls;
+  };
+  OrderedWork<std::vector<std::uint32_t>>::Run((faces + FacesOfTask - 1) / FacesOfTask,
+                                               threads,
+                                               find,
+                                               [&](const std::uint64_t task, const std::vector<std::uint32_t> & walls) {
+                                                 m_Spool->PutWalls(task * FacesOfTask, walls);
+                                               },
+                                               [&progress] { progress(0.0); });
 }
 
 void
@@ -176,6 +236,10 @@ SheetMesh::AddVertices(const std::vector<itk::MedialVoxelSurfaceVertex> & vertic
     return MeshVertex{ vertex.point, vertex.thickness, vertex.part };
   });
   m_Spool->AddVertices(m_Vertices);
+  for (itk::MedialVoxelSurfaceConsumer * const other : m_Others)
+  {
+    other->AddVertices(vertices);
+  }
 }
 
 void
@@ -195,6 +259,10 @@ SheetMesh::AddQuads(const std::vector<itk::MedialVoxelSurfaceQuad> & quads)
     }
   }
   m_Spool->AddFaces(m_Faces);
+  for (itk::MedialVoxelSurfaceConsumer * const other : m_Others)
+  {
+    other->AddQuads(quads);
+  }
 }
 
 /** The halves along the shorter diagonal, which has no mark. */
@@ -231,7 +299,8 @@ SheetMesh::GetFootprint(const ExtractOptions &       options,
   const std::uint64_t spools = isRemeshed ? 3 : cleaning.IsOn() || options.labels ? 2 : 1;
   const std::uint64_t sorting = options.labels || isRemeshed ? SortedVertexSize : 0;
   footprint.scratch = { cleaning.scratchFolder,
-                        vertices * (spools * (MeshSpool::VertexSize + MeshSpool::FaceSize) + sorting) };
+                        vertices * (spools * (MeshSpool::VertexSize + MeshSpool::FaceSize) + sorting +
+                                    (options.meshWalls ? MeshSpool::WallSize : 0)) };
   return footprint;
 }
 

@@ -72,6 +72,26 @@ public:
     m_Passes->BeginPass(pass);
   }
 
+  /** Gives another consumer the sheet too, as it is before it is cleaned. Before the first piece, not of a label map.
+   */
+  void
+  AlsoGiveTo(itk::MedialVoxelSurfaceConsumer & other)
+  {
+    m_Others.push_back(&other);
+  }
+
+  /** After the last piece: all consumers have all of the sheet. Finish() does it otherwise. */
+  void
+  CompleteSheet();
+
+  /** Sets the walls of the points of the sheet: a face gets the wall of the point that is nearest to the mean of its
+   * corners. Before the sheet is finished. */
+  void
+  SetWalls(std::vector<itk::MedialVoxelVector3> points, std::vector<std::uint32_t> wallOf)
+  {
+    m_Walls = { std::move(points), std::move(wallOf) };
+  }
+
   /** The labels of the objects of a label map, by number, before the surface is written. */
   void
   SetObjectLabels(std::vector<std::int64_t> labels)
@@ -105,6 +125,12 @@ public:
   GetFootprint(const ExtractOptions & options, const VolumeGeometry & geometry, const itk::MedialVoxelGrid & grid);
 
 private:
+  struct NumberedPoints
+  {
+    std::vector<itk::MedialVoxelVector3> points;
+    std::vector<std::uint32_t>           wallOf;
+  };
+
   void
   AddVertices(const std::vector<itk::MedialVoxelSurfaceVertex> & vertices) override;
   void
@@ -115,6 +141,9 @@ private:
 
   void
   Remesh(std::uint64_t memoryLimit, unsigned int threads, const std::function<void(double)> & progress);
+
+  void
+  NumberFaces(unsigned int threads, const std::function<void(double)> & progress);
 
   void
   AddTriangles(const itk::MedialVoxelSurfaceQuad & quad);
@@ -135,6 +164,11 @@ private:
   FindObject                                      m_FindObject;
   itk::MedialVoxelMeasureRimRays                  m_MeasureRimRays;
   std::vector<std::int64_t>                       m_ObjectLabels;
+  NumberedPoints                                  m_Walls;
+  double                                          m_WallSeconds{ 0 };
+  bool                                            m_IsComplete{ false };
+
+  std::vector<itk::MedialVoxelSurfaceConsumer *> m_Others;
 
   // One of them.
   std::unique_ptr<itk::MedialVoxelSurfaceObserver> m_Observer;

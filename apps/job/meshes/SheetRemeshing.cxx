@@ -3,11 +3,11 @@
 #include "SheetRemeshing.h"
 
 #include "Errors.h"
-#include "OrderedWork.h"
 #include "RimRays.h"
 #include "SheetCoarsening.h"
 #include "MeshFormat.h"
 #include "MeshReader.h"
+#include "TaskRunner.h"
 #include "Text.h"
 
 #include "itkMedialVoxelElementQuality.h"
@@ -117,25 +117,6 @@ GetArea(const itk::MedialVoxelRemeshedSheet & sheet, const itk::MedialVoxelShell
   return area;
 }
 
-/** Runs tasks in threads. */
-itk::MedialVoxelRunTasks
-MakeRunner(const SheetRemeshing & settings)
-{
-  return [&settings](const std::size_t count, const itk::MedialVoxelTask & task) {
-    struct Nothing
-    {};
-    OrderedWork<Nothing>::Run(
-      count,
-      settings.threads,
-      [&task](const std::uint64_t number, const std::function<void()> & check) {
-        task(number, check);
-        return Nothing{};
-      },
-      [](std::uint64_t, Nothing &&) {},
-      [&settings] { settings.progress(0.0); });
-  };
-}
-
 /** Points in the order of their objects; the place of each in \a places. */
 void
 AddVertices(const itk::MedialVoxelRemeshedSheet & sheet,
@@ -232,7 +213,7 @@ RemeshSheet(std::unique_ptr<MeshSpool>         surface,
   CheckMemory(*coarse, remeshing.memoryLimit);
   std::vector<std::uint32_t> objects;
   MeshReader                 reader(*coarse, settings.progress);
-  const auto                 runTasks = MakeRunner(settings);
+  const auto                 runTasks = MakeTaskRunner(settings.threads, [&settings] { settings.progress(0.0); });
   const auto                 tell = [&](const double fraction) {
     share = std::max(share, coarsening + remeshingOfAll * fraction);
     remeshing.progress(share);

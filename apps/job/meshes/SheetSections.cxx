@@ -85,6 +85,17 @@ SheetSections::GetSection(MeshReader & reader, const MeshFace & face) const
   return m_SectionOfKey.at({ reader.GetObject(face), this->GetClass(GetFaceThickness(reader, m_Edges, face)) });
 }
 
+std::vector<std::uint64_t>
+SheetSections::CountElements() const
+{
+  std::vector<std::uint64_t> sizes;
+  for (const SheetSection & section : m_Sections)
+  {
+    sizes.push_back(section.numberOfElements);
+  }
+  return sizes;
+}
+
 std::vector<float>
 SheetSections::GetCornerThicknesses(MeshReader & reader, const MeshFace & face, const MeshCorners & corners) const
 {

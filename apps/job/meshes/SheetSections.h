@@ -47,6 +47,10 @@ public:
     return m_Sections;
   }
 
+  /** Of all sections. */
+  std::vector<std::uint64_t>
+  CountElements() const;
+
   /** Triangles and quads of all sections. */
   std::uint64_t
   GetNumberOfTriangles() const

@@ -178,6 +178,7 @@ struct ExtractOptions : JobOptions
   ElementSize           elementSize;               ///< of the mesh
   bool                  extendsRims{ false }; ///< of the mesh, to the free edges; not with ElementSize::Kind::Voxel
   ThicknessPlace        thicknessPlace{ ThicknessPlace::Sections }; ///< of a mesh for solvers
+  bool                  meshWalls{ false };                         ///< faces of the mesh have the number of their wall
   std::optional<double> sectionWidth; ///< as MeshWriteOptions; unset: a quarter of the spacing
 
   std::optional<ColorRange> colorRange; ///< of page and picture; unset: as measured

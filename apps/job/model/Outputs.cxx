@@ -165,7 +165,8 @@ ListOutputKinds(const PartOptions &)
 bool
 NumbersWalls(const ExtractOptions & options)
 {
-  return !options.wallsFile.empty() || !options.wallTableFile.empty() || !options.seamTableFile.empty();
+  return (options.meshWalls && !options.meshFile.empty()) || !options.wallsFile.empty() ||
+         !options.wallTableFile.empty() || !options.seamTableFile.empty();
 }
 
 bool

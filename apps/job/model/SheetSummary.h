@@ -34,6 +34,7 @@ struct SheetSummary
   std::optional<itk::MedialVoxelRemeshingSummary> remeshing; ///< unless they have that of a voxel
   std::optional<MeshQuality>                      quality;   ///< of its faces, likewise
   double                                          remeshingSeconds{ 0 };
+  double                                          wallSeconds{ 0 }; ///< to find the walls of faces
 };
 
 } // end namespace medialvoxel

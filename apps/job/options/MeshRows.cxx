@@ -71,6 +71,16 @@ AddMesh(std::vector<OptionRow> & rows)
     .Of(Mesh, "Mesh")
     .Help("Split the quadrilaterals", "Along the shorter diagonal.")
     .Python(Mesh);
+  AddRow(rows, "--mesh-walls", "", Flag(&ExtractOptions::meshWalls))
+    .Of(Sheets, "Mesh")
+    .Hidden()
+    .RefusedIn(Plan)
+    .Help("Give faces the number of their wall",
+          "That of --walls and --wall-table. A face has the wall of the medial cell that is nearest to the mean of its "
+          "corners. " +
+            JoinExtensions(ListWallExtensions()) + " have it. Not with --labels. Needs a mesh.")
+    .Needs("--mesh", HasMesh)
+    .Slicer({ "Further outputs", "meshWalls", "Walls of the medial surface", "" });
   AddRow(rows, "--min-component-size", "N", Count(&ExtractOptions::minimumComponentSize, 0))
     .Of(Sheets, "Mesh")
     .RefusedIn(Plan)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "OptionChecks.h"
 
+#include "MeshFormat.h"
 #include "Outputs.h"
 #include "OptionTable.h"
 #include "Text.h"
@@ -197,6 +198,12 @@ CheckOptions(const ExtractOptions & options)
   if (options.extendsRims && options.elementSize.kind == ElementSize::Kind::Voxel)
   {
     Fail(ExitStatus::Usage, "rims of faces of one voxel are not extended; give an element size, such as auto");
+  }
+  if (options.meshWalls && !options.meshFile.empty() && !HoldsWalls(GetMeshFormat(options.meshFile)))
+  {
+    Fail(ExitStatus::Usage,
+         "walls of faces need a mesh that is written as ",
+         Join(ListWallExtensions(), " ", [](const std::string & extension) { return extension; }));
   }
   if (options.labels)
   {

@@ -178,7 +178,7 @@ void
 AddNumbers(std::vector<OptionRow> & rows)
 {
   AddRow(rows, "--walls", "FILE", File(&ExtractOptions::wallsFile))
-    .Of(Extractions, Walls)
+    .Of(Sheets, Walls)
     .RefusedIn(Plan)
     .Hidden()
     .Help("Number of the wall of each medial cell",
@@ -186,14 +186,14 @@ AddNumbers(std::vector<OptionRow> & rows)
           "two meet, and at sharp bends. Not with --labels.")
     .Slicer({ Outputs, "wallsVolume", "Walls", "", SlicerOutput("label"), "output" });
   AddRow(rows, "--wall-table", "FILE", File(&ExtractOptions::wallTableFile))
-    .Of(Extractions, Walls)
+    .Of(Sheets, Walls)
     .RefusedIn(Plan)
     .Hidden()
     .Help("Table of the walls (.csv)",
           "A row for each: cells, area, thickness, centroid, normal, flatness, length of its rims, neighbors.")
     .Slicer({ Outputs, "wallTableFile", "Table of walls", "", SlicerFile(".csv"), "output" });
   AddRow(rows, "--seam-table", "FILE", File(&ExtractOptions::seamTableFile))
-    .Of(Extractions, Walls)
+    .Of(Sheets, Walls)
     .RefusedIn(Plan)
     .Hidden()
     .Help("Table of the seams of walls (.csv)", "A row for each: the walls that meet, its length, their angles.")

@@ -46,6 +46,7 @@ public:
                                          [](const std::size_t count, const auto & task) { RunInThreads(count, task); });
     m_Links.observer = &m_Mesh->GetObserver();
     m_Links.mesh = m_Mesh.get();
+    start.mesh = m_Mesh.get();
   }
 
   void
@@ -62,6 +63,7 @@ public:
     const std::uint64_t memory = plan.memory.limit - std::min(plan.memory.limit, plan.memory.fixed);
     result.surface = m_Mesh->Write(*m_File, memory, plan.threads, end.progress);
     result.seconds.remeshing = result.surface->remeshingSeconds;
+    result.seconds.walls += result.surface->wallSeconds;
   }
 
 private:

@@ -29,6 +29,7 @@ struct ProductStart
   InputVolume *     input{ nullptr }; ///< null: parts that others found are put together
 
   // Set by earlier products.
+  SheetMesh *      mesh{ nullptr };
   const Survey *   survey{ nullptr };
   const Pictures * pictures{ nullptr }; ///< they are drawn at the end
 };

@@ -278,6 +278,7 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
     parameters["min_branch_length"] = options.minimumBranchLength;
     parameters["min_component_size"] = options.minimumComponentSize;
     parameters["extend_rims"] = options.extendsRims;
+    parameters["mesh_walls"] = options.meshWalls;
   }
 
   Json report = BeginReport(parameters, result);

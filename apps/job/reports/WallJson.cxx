@@ -12,8 +12,6 @@ namespace medialvoxel
 namespace
 {
 
-constexpr std::size_t MostRowsOfReport = 100;
-
 Json
 ToJson(const itk::MedialVoxelWallRow & wall, const std::size_t number)
 {
@@ -42,10 +40,10 @@ ToJson(const itk::MedialVoxelSeamRow & seam, const std::size_t number)
 
 template <typename TRow>
 Json
-ListRows(const std::vector<TRow> & rows)
+ListRows(const std::vector<TRow> & rows, const std::size_t most)
 {
   Json list = Json::array();
-  for (std::size_t i = 0; i < std::min(rows.size(), MostRowsOfReport); ++i)
+  for (std::size_t i = 0; i < std::min(rows.size(), most); ++i)
   {
     list.push_back(ToJson(rows[i], i + 1));
   }
@@ -62,12 +60,12 @@ JoinNumbers(const std::vector<TNumber> & numbers)
 } // namespace
 
 Json
-MakeWallsJson(const itk::MedialVoxelSheetWalls & walls)
+MakeWallsJson(const itk::MedialVoxelSheetWalls & walls, const std::size_t mostRows)
 {
   return { { "number_of_walls", walls.walls.size() },
            { "number_of_seams", walls.seams.size() },
-           { "walls", ListRows(walls.walls) },
-           { "seams", ListRows(walls.seams) } };
+           { "walls", ListRows(walls.walls, mostRows) },
+           { "seams", ListRows(walls.seams, mostRows) } };
 }
 
 std::string

@@ -7,14 +7,15 @@
 
 #include "itkMedialVoxelSheetWalls.h"
 
+#include <cstddef>
 #include <string>
 
 namespace medialvoxel
 {
 
-/** For a report: numbers of walls and seams, and the first ones of both. */
+/** Numbers of walls and seams, and the first ones of both; those of a report by default. */
 Json
-MakeWallsJson(const itk::MedialVoxelSheetWalls & walls);
+MakeWallsJson(const itk::MedialVoxelSheetWalls & walls, std::size_t mostRows = 100);
 
 /** All walls as comma-separated values. */
 std::string
