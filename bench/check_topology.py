@@ -4,7 +4,7 @@
 """Compares parts, tunnels and cavities of the labels 2, 3 and 4 with those of the object, by the homology of GUDHI.
 
 Usage: bench/check_topology.py OUTPUT.json DATA [NUMBER [SEED]]    needs numpy, scipy, gudhi and the package medialvoxel
-NUMBER random volumes of 5 to 24 voxels a side, phantoms, and crops of the volumes in DATA. The object is the union of its voxels as
+NUMBER random volumes of 5 to 24 voxels a side, a tenth as many random label maps, phantoms, and crops of the volumes in DATA. The object is the union of its voxels as
 closed cubes, so that voxels that touch at a corner are joined: GUDHI's complex of top-dimensional cells. The complex of the cells
 has all faces of these cubes whose corners are in the set: GUDHI's complex of simplices.
 """
@@ -107,6 +107,43 @@ def check(name, mask, max_pore_size, **keywords):
     }
 
 
+def random_map(draw):
+    """Labels of objects that touch, in parts of other objects, or apart."""
+    mask = random_mask(draw)
+    z, y, x = np.indices(mask.shape)
+    if draw.random() < 0.5:
+        seeds = [draw.integers(mask.shape) for _ in range(draw.integers(2, 6))]
+        nearest = np.argmin([(z - a) ** 2 + (y - b) ** 2 + (x - c) ** 2 for a, b, c in seeds], axis=0)
+        labels = np.where(mask, 1 + nearest, 0)
+    else:
+        labels = np.where(mask, 1, np.where(ndimage.binary_erosion(~mask, iterations=int(draw.integers(3))), draw.integers(3), 0))
+    labels[0, 0, 0] *= not labels.all()
+    return labels.astype(np.uint8)
+
+
+def check_map(name, labels, max_pore_size, **keywords):
+    """A row of the results. Each object is the complex of its own cells, unless another object has some of them: then that of a run
+    with its label alone, which the map is put together from."""
+    keywords |= {"max_pore_size": max_pore_size, "thickness_map": False, "same_topology": True}
+    found = medialvoxel.extract(labels, labels="all", **keywords)
+    sheets, sums, passes, own = {}, np.zeros((2, 3), int), True, 0
+    for label in np.unique(labels[labels > 0]):
+        kept, filled = without_noise(labels == label, max_pore_size) if max_pore_size else (labels == label,) * 2
+        alone = medialvoxel.extract(labels, label=int(label), smooth=False, **keywords).labels
+        sheets[label] = alone
+        inner = tuple(slice(0, -1) for _ in range(3))
+        sheet = (found.objects == label) & (found.labels >= 2)
+        own += int((sheet == (alone >= 2)).all())
+        cells = sheet if (sheet == (alone >= 2)).all() else alone >= 2
+        numbers = betti_numbers(filled), betti_numbers_of_cells(cells[inner], filled)
+        sums += numbers
+        passes &= numbers[0] == numbers[1]
+    expected = np.max([np.select([sheet >= 4, sheet >= 2], [1, 2], 0) for sheet in sheets.values()], axis=0)
+    told = [[found.topology[kind][part] for part in ("parts", "tunnels", "cavities")] for kind in ("object", "sheet")]
+    passes &= told == sums.tolist() and bool((np.select([found.labels == 4, found.labels >= 2], [1, 2], 0) == expected).all())
+    return {"name": name, "objects": len(sheets), "objects_with_all_their_cells": own, "passes": bool(passes)}
+
+
 def share_when_smoothed(mask):
     """Of added cells; the smoothed object is not known here, so that nothing is compared."""
     labels = medialvoxel.extract(mask, thickness_map=False, same_topology=True, smooth=True).labels
@@ -192,6 +229,15 @@ def main():
         rows.append(check(f"random {seed} {i}", mask, threads=1 + i % 2, **keywords))
         if not rows[-1]["passes"] or i % 1000 == 999:
             print(rows[-1], keywords, flush=True)
+    maps = []
+    for i in range(number // 10):
+        draw = np.random.default_rng([seed, number + i])
+        labels = random_map(draw)
+        keywords = {"max_pore_size": int(draw.choice((0, 0, 3, 32))), "thickness": ("auto", 1.5, 3.0)[draw.integers(3)]}
+        maps.append(check_map(f"map {seed} {i}", labels, threads=1 + i % 2, **keywords) if labels.any() else {"objects": 0})
+        if not maps[-1].get("passes", True):
+            print(maps[-1], keywords, flush=True)
+    maps = [row for row in maps if row["objects"]]
     large = [
         check(name, mask, PORE_SIZE, smooth=False) | {"phantom": True, "share_when_smoothed": share_when_smoothed(mask)}
         for name, mask in phantoms()
@@ -210,6 +256,12 @@ def main():
         "random_with_another_topology_before": sum(
             row["betti_numbers"] != row["betti_numbers_of_medial_cells"] for row in rows
         ),
+        "label_maps": {
+            "maps": len(maps),
+            "objects": sum(row["objects"] for row in maps),
+            "objects_with_all_their_cells": sum(row["objects_with_all_their_cells"] for row in maps),
+            "failures": [row["name"] for row in maps if not row["passes"]],
+        },
         "volumes": large,
     }
     output.write_text(json.dumps(result, indent=1) + "\n")
