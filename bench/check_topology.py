@@ -144,6 +144,20 @@ def check_map(name, labels, max_pore_size, **keywords):
     return {"name": name, "objects": len(sheets), "objects_with_all_their_cells": own, "passes": bool(passes)}
 
 
+def check_maps(number, seed):
+    rows = []
+    for i in range(number):
+        draw = np.random.default_rng([seed, i, 1])
+        labels = random_map(draw)
+        keywords = {"max_pore_size": int(draw.choice((0, 0, 3, 32))), "thickness": ("auto", 1.5, 3.0)[draw.integers(3)]}
+        if labels.any():
+            rows.append(check_map(f"map {seed} {i}", labels, threads=1 + i % 2, **keywords))
+            if not rows[-1]["passes"]:
+                print(rows[-1], keywords, flush=True)
+    sums = {name: sum(row[name] for row in rows) for name in ("objects", "objects_with_all_their_cells")}
+    return {"maps": len(rows), **sums, "failures": [row["name"] for row in rows if not row["passes"]]}
+
+
 def share_when_smoothed(mask):
     """Of added cells; the smoothed object is not known here, so that nothing is compared."""
     labels = medialvoxel.extract(mask, thickness_map=False, same_topology=True, smooth=True).labels
@@ -229,15 +243,6 @@ def main():
         rows.append(check(f"random {seed} {i}", mask, threads=1 + i % 2, **keywords))
         if not rows[-1]["passes"] or i % 1000 == 999:
             print(rows[-1], keywords, flush=True)
-    maps = []
-    for i in range(number // 10):
-        draw = np.random.default_rng([seed, number + i])
-        labels = random_map(draw)
-        keywords = {"max_pore_size": int(draw.choice((0, 0, 3, 32))), "thickness": ("auto", 1.5, 3.0)[draw.integers(3)]}
-        maps.append(check_map(f"map {seed} {i}", labels, threads=1 + i % 2, **keywords) if labels.any() else {"objects": 0})
-        if not maps[-1].get("passes", True):
-            print(maps[-1], keywords, flush=True)
-    maps = [row for row in maps if row["objects"]]
     large = [
         check(name, mask, PORE_SIZE, smooth=False) | {"phantom": True, "share_when_smoothed": share_when_smoothed(mask)}
         for name, mask in phantoms()
@@ -256,12 +261,7 @@ def main():
         "random_with_another_topology_before": sum(
             row["betti_numbers"] != row["betti_numbers_of_medial_cells"] for row in rows
         ),
-        "label_maps": {
-            "maps": len(maps),
-            "objects": sum(row["objects"] for row in maps),
-            "objects_with_all_their_cells": sum(row["objects_with_all_their_cells"] for row in maps),
-            "failures": [row["name"] for row in maps if not row["passes"]],
-        },
+        "label_maps": check_maps(number // 10, seed),
         "volumes": large,
     }
     output.write_text(json.dumps(result, indent=1) + "\n")
