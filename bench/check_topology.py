@@ -4,7 +4,7 @@
 """Compares parts, tunnels and cavities of the labels 2, 3 and 4 with those of the object, by the homology of GUDHI.
 
 Usage: bench/check_topology.py OUTPUT.json DATA [NUMBER [SEED]]    needs numpy, scipy, gudhi and the package medialvoxel
-NUMBER random volumes of 5 to 24 voxels a side, phantoms, and crops of the volumes in DATA. The object is the union of its voxels as
+NUMBER random volumes of 5 to 24 voxels a side, a tenth as many random label maps, phantoms, and crops of the volumes in DATA. The object is the union of its voxels as
 closed cubes, so that voxels that touch at a corner are joined: GUDHI's complex of top-dimensional cells. The complex of the cells
 has all faces of these cubes whose corners are in the set: GUDHI's complex of simplices.
 """
@@ -105,6 +105,57 @@ def check(name, mask, max_pore_size, **keywords):
         and told == [of_object, of_sheet]
         and bool(((found.labels == plain.labels) | (found.labels == 4) & (plain.labels <= 1)).all()),
     }
+
+
+def random_map(draw):
+    """Labels of objects that touch, in parts of other objects, or apart."""
+    mask = random_mask(draw)
+    z, y, x = np.indices(mask.shape)
+    if draw.random() < 0.5:
+        seeds = [draw.integers(mask.shape) for _ in range(draw.integers(2, 6))]
+        nearest = np.argmin([(z - a) ** 2 + (y - b) ** 2 + (x - c) ** 2 for a, b, c in seeds], axis=0)
+        labels = np.where(mask, 1 + nearest, 0)
+    else:
+        labels = np.where(mask, 1, np.where(ndimage.binary_erosion(~mask, iterations=int(draw.integers(3))), draw.integers(3), 0))
+    labels[0, 0, 0] *= not labels.all()
+    return labels.astype(np.uint8)
+
+
+def check_map(name, labels, max_pore_size, **keywords):
+    """A row of the results. Each object is the complex of its own cells, unless another object has some of them: then that of a run
+    with its label alone, which the map is put together from."""
+    keywords |= {"max_pore_size": max_pore_size, "thickness_map": False, "same_topology": True}
+    found = medialvoxel.extract(labels, labels="all", **keywords)
+    sheets, sums, passes, own = {}, np.zeros((2, 3), int), True, 0
+    for label in np.unique(labels[labels > 0]):
+        kept, filled = without_noise(labels == label, max_pore_size) if max_pore_size else (labels == label,) * 2
+        alone = medialvoxel.extract(labels, label=int(label), smooth=False, **keywords).labels
+        sheets[label] = alone
+        inner = tuple(slice(0, -1) for _ in range(3))
+        sheet = (found.objects == label) & (found.labels >= 2)
+        own += int((sheet == (alone >= 2)).all())
+        cells = sheet if (sheet == (alone >= 2)).all() else alone >= 2
+        numbers = betti_numbers(filled), betti_numbers_of_cells(cells[inner], filled)
+        sums += numbers
+        passes &= numbers[0] == numbers[1]
+    expected = np.max([np.select([sheet >= 4, sheet >= 2], [1, 2], 0) for sheet in sheets.values()], axis=0)
+    told = [[found.topology[kind][part] for part in ("parts", "tunnels", "cavities")] for kind in ("object", "sheet")]
+    passes &= told == sums.tolist() and bool((np.select([found.labels == 4, found.labels >= 2], [1, 2], 0) == expected).all())
+    return {"name": name, "objects": len(sheets), "objects_with_all_their_cells": own, "passes": bool(passes)}
+
+
+def check_maps(number, seed):
+    rows = []
+    for i in range(number):
+        draw = np.random.default_rng([seed, i, 1])
+        labels = random_map(draw)
+        keywords = {"max_pore_size": int(draw.choice((0, 0, 3, 32))), "thickness": ("auto", 1.5, 3.0)[draw.integers(3)]}
+        if labels.any():
+            rows.append(check_map(f"map {seed} {i}", labels, threads=1 + i % 2, **keywords))
+            if not rows[-1]["passes"]:
+                print(rows[-1], keywords, flush=True)
+    sums = {name: sum(row[name] for row in rows) for name in ("objects", "objects_with_all_their_cells")}
+    return {"maps": len(rows), **sums, "failures": [row["name"] for row in rows if not row["passes"]]}
 
 
 def share_when_smoothed(mask):
@@ -210,6 +261,7 @@ def main():
         "random_with_another_topology_before": sum(
             row["betti_numbers"] != row["betti_numbers_of_medial_cells"] for row in rows
         ),
+        "label_maps": check_maps(number // 10, seed),
         "volumes": large,
     }
     output.write_text(json.dumps(result, indent=1) + "\n")

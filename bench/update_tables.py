@@ -166,6 +166,16 @@ def topology_cost(document):
     return ["volume", "labels, CPU s", "peak MiB", "with `--same-topology`, CPU s", "peak MiB", "ratio"], rows
 
 
+def importance(document):
+    rows = []
+    for name, row in document["volumes"].items():
+        cells = row["thicknesses"]
+        alike = ", ".join(thickness for thickness, found in cells.items() if found["different_cells"] == 0)
+        seconds = (row[way]["cpu_seconds"]["median"] for way in ("labels", "labels and importance"))
+        rows.append([name, *(f"{value:.2f}" for value in seconds), f"{row['ratio']:.1f}", alike])
+    return ["volume", "labels, CPU s", "with `--importance`, CPU s", "ratio", "thicknesses with the same sheet"], rows
+
+
 def gray_walls(document):
     cases = document["cases"]
 
@@ -229,6 +239,7 @@ TABLES = {
     "arrays": ("arrays.json", arrays),
     "local-thickness": ("local-thickness.json", local_thickness),
     "options": ("options.json", options),
+    "importance": ("importance.json", importance),
     "topology-cost": ("topology-cost.json", topology_cost),
     "threads": ("tiles.json", threads),
     "automatic": ("automatic.json", automatic),

@@ -25,6 +25,15 @@ operator==(const MedialVoxelBettiNumbers & a, const MedialVoxelBettiNumbers & b)
   return a.parts == b.parts && a.tunnels == b.tunnels && a.cavities == b.cavities;
 }
 
+inline MedialVoxelBettiNumbers &
+operator+=(MedialVoxelBettiNumbers & sum, const MedialVoxelBettiNumbers & numbers)
+{
+  sum.parts += numbers.parts;
+  sum.tunnels += numbers.tunnels;
+  sum.cavities += numbers.cavities;
+  return sum;
+}
+
 } // end namespace itk
 
 #endif

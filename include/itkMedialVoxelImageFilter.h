@@ -245,6 +245,8 @@ protected:
   std::unique_ptr<MedialVoxelInput>
   MakeInput(MedialVoxelValueSource & source) override;
 
+  SizeValueType m_NumberOfAddedCells{ 0 };
+
 private:
   friend class MedialVoxelFilterAccess;
   template <typename, typename>
@@ -263,8 +265,7 @@ private:
   void
   LabelAddedCells(const MedialVoxelBits & added);
 
-  bool          m_SameTopology{ false };
-  SizeValueType m_NumberOfAddedCells{ 0 };
+  bool m_SameTopology{ false };
 
   std::unique_ptr<MedialVoxelSameTopology> m_Topology; ///< during an update
 

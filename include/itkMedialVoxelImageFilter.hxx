@@ -217,7 +217,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::RunRegion(const MedialVoxelBo
   m_Topology = std::make_unique<MedialVoxelSameTopology>(
     grid, this->GetParameters(grid).maximumPoreSize, [this](const auto & added) { this->LabelAddedCells(added); });
   const MedialVoxelSums sums = Superclass::RunRegion(grid.GetVoxelBox());
-  m_NumberOfAddedCells = static_cast<SizeValueType>(m_Topology->GetNumberOfAddedCells());
+  m_NumberOfAddedCells = static_cast<SizeValueType>(m_Topology->GetSums().addedCells);
   m_Topology.reset();
   return sums;
 }

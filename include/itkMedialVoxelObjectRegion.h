@@ -23,9 +23,8 @@ class MedialVoxel_EXPORT MedialVoxelObjectRegion
 {
 public:
   /** \param map must outlive it
-   * \param size of the image, 1 along unused axes
-   * \param maximumPoreSize of the extraction */
-  MedialVoxelObjectRegion(MedialVoxelObjectMap & map, const MedialVoxelIndex & size, std::uint64_t maximumPoreSize);
+   * \param size of the image, 1 along unused axes */
+  MedialVoxelObjectRegion(MedialVoxelObjectMap & map, const MedialVoxelIndex & size);
 
   /** Bytes of a voxel of the region and of the margin for its last cells. */
   static constexpr std::uint64_t BytesPerVoxel = sizeof(MedialVoxelObjectNumber);
@@ -59,8 +58,9 @@ public:
     return 0;
   }
 
-  /** For a cell without object corner: the object whose filled pore holds it; 0 when there is none. Reads the voxels
-   * around the cell, so threads of the engine must not call it. */
+  /** For a cell without object corner: the object whose filled pore holds it. It surrounds the cell, and other objects
+   * of the pass are farther from it than the pore is wide, so it is the nearest one. Reads the voxels around the cell,
+   * so threads of the engine must not call it. */
   MedialVoxelObjectNumber
   FindObjectOfPore(const MedialVoxelIndex & cell, unsigned int pass) const;
 
@@ -74,7 +74,6 @@ public:
 
 private:
   MedialVoxelObjectMap &               m_Map;
-  std::uint64_t                        m_MaximumPoreSize;
   MedialVoxelBox                       m_Image;
   MedialVoxelBox                       m_Box;
   std::vector<std::size_t>             m_Corners; ///< of a cell, from the lowest one

@@ -4,6 +4,7 @@
 #define itkMedialVoxelObjectUnion_h
 
 #include "itkMedialVoxelObjectRegion.h"
+#include "itkMedialVoxelSameTopology.h"
 #include "itkMedialVoxelTileResult.h"
 
 #include "MedialVoxelExport.h"
@@ -12,7 +13,9 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace itk
@@ -21,8 +24,8 @@ namespace itk
 /** \class MedialVoxelObjectUnion
  * \brief Puts the results of the passes over a label map together, region by region.
  *
- * A cell of two objects belongs to the one for which it is medial, otherwise to the smaller one. The order of passes
- * changes nothing.
+ * A cell of two objects belongs to the one for which it is medial, then to the one whose topology needs it, otherwise
+ * to the smaller one. The order of passes changes nothing.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelObjectUnion
@@ -36,6 +39,16 @@ public:
   {
     std::uint64_t candidate{ 0 };
     std::uint64_t medial{ 0 }; ///< also cells shared with other objects
+    std::uint64_t added{ 0 };  ///< the same, for the topology
+
+    Cells &
+    operator+=(const Cells & other)
+    {
+      candidate += other.candidate;
+      medial += other.medial;
+      added += other.added;
+      return *this;
+    }
   };
 
   /** \struct Values
@@ -58,21 +71,49 @@ public:
   static constexpr std::uint64_t BytesPerVoxel =
     MedialVoxelObjectRegion::BytesPerVoxel + sizeof(std::uint8_t) + sizeof(MedialVoxelObjectNumber);
 
+  /** Let each pass complete the topology of its objects in the whole image, which is the region then; unset: not. No
+   * tile comes again. */
+  void
+  CompleteTopology(const std::optional<MedialVoxelGrid> & grid)
+  {
+    m_Grid = grid;
+  }
+
   /** Begin with a region, before the first pass over it. */
   void
   Begin(const MedialVoxelBox & region, std::vector<Values> values);
+
+  /** Begin with a region whose passes were put together, from its labels before Finish() and its objects. */
+  void
+  BeginAgain(const MedialVoxelBox &               region,
+             std::vector<std::uint8_t>            labels,
+             std::vector<MedialVoxelObjectNumber> objects);
 
   /** Take the results of the current pass in a tile. Called by several threads at a time. */
   void
   TakeTile(const MedialVoxelTileResult & tile);
 
-  /** Take the results of the pass in filled pores, after all of its tiles. */
+  /** Take cells that the current pass adds for the topology, in a part of the region. */
+  void
+  TakeAddedCells(const MedialVoxelBits & added)
+  {
+    m_AddedCells.push_back(added);
+  }
+
+  /** Take the results of the pass in filled pores, and the added cells, after all of its tiles. */
   void
   FinishPass();
 
   /** Finish the region after its last pass. */
   void
-  Finish();
+  Finish()
+  {
+    RemoveMarks(m_Labels);
+  }
+
+  /** Leave labels alone where Finish() was not called. */
+  static void
+  RemoveMarks(std::vector<std::uint8_t> & labels);
 
   /** The objects of the voxels of the region. */
   const MedialVoxelObjectRegion &
@@ -81,7 +122,8 @@ public:
     return m_Region;
   }
 
-  /** Of the voxels of the region, x fastest: the labels of cells, and the numbers of their objects. */
+  /** Of the voxels of the region, x fastest: the labels of cells, with marks until Finish(), and the numbers of their
+   * objects. */
   const std::vector<std::uint8_t> &
   GetLabels() const
   {
@@ -99,8 +141,12 @@ public:
    */
   struct Sums
   {
-    std::uint64_t                            shared{ 0 }; ///< medial for several objects
+    std::uint64_t                            shared{ 0 }; ///< of the sheets of several objects
     std::map<MedialVoxelObjectNumber, Cells> cells;       ///< by object
+    MedialVoxelTopologySums                  topology;    ///< of all objects, where it was completed
+
+    Sums &
+    operator+=(const Sums & other);
   };
 
   const Sums &
@@ -129,11 +175,24 @@ private:
            const TValueOf &        valueOf,
            Sums &                  sums);
 
-  /** A bit of the labels of cells that are medial for several objects, until the region is finished. */
-  static constexpr std::uint8_t SharedMark = 4;
+  /** The same, without counts and values.
+   * \return whether the object has the cell now, and had not before */
+  bool
+  Give(std::size_t offset, std::uint8_t label, MedialVoxelObjectNumber object, Sums & sums);
+
+  void
+  GiveAddedCells(const MedialVoxelBits & added);
+
+  void
+  BeginTopology();
+
+  /** A bit of the labels of cells that are in the sheets of several objects, until the region is finished. */
+  static constexpr std::uint8_t SharedMark = 8;
 
   MedialVoxelObjectMap &               m_Map;
   MedialVoxelObjectRegion              m_Region;
+  std::uint64_t                        m_MaximumPoreSize;
+  std::optional<MedialVoxelGrid>       m_Grid; ///< set: the topology is completed
   MedialVoxelBox                       m_Box;
   std::vector<Values>                  m_Values;
   std::vector<std::uint8_t>            m_Labels;
@@ -141,6 +200,9 @@ private:
   std::mutex                           m_Mutex; // of the members below
   Sums                                 m_Sums;
   std::vector<PoreCell>                m_PoreCells;
+
+  std::unique_ptr<MedialVoxelSameTopology> m_Topology; ///< of the objects of the pass
+  std::vector<MedialVoxelBits>             m_AddedCells;
 };
 
 } // end namespace itk

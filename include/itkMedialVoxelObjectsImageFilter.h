@@ -4,6 +4,7 @@
 #define itkMedialVoxelObjectsImageFilter_h
 
 #include "itkMedialVoxelImageFilter.h"
+#include "itkMedialVoxelObjectUnion.h"
 
 #include <cstdint>
 #include <memory>
@@ -18,14 +19,15 @@ namespace itk
  * Each value of the input but 0 is an object of its own; ObjectLabels chooses some. Values are whole numbers from -2^63
  * to 2^63 - 1, at most 65535 different ones. The boundary of an object is every voxel that is not in it, so that
  * objects that touch stay apart. The result unites updates of MedialVoxelImageFilter with one ObjectValue at a time: a
- * cell that is medial for several of its objects, or for none, gets the smallest label. The output GetObjectOutput()
- * has the label of the object of each cell. Numbers of voxels and cells are sums over the objects.
+ * cell that is medial for several of its objects, or for none, gets the smallest label. With SameTopology, cells that
+ * are medial for an object come before those that are added for one. The output GetObjectOutput() has the label of the
+ * object of each cell. Numbers of voxels and cells are sums over the objects.
  *
  * Objects that are more than a reach apart (MedialVoxelObjectAdjacency) share a pass. An update reads all of the input
  * once to find them, and holds 5 bytes more for each voxel of the requested region.
  *
- * Thresholds, ObjectValue, BackgroundValue, GenerateVectorDistance, GenerateImportance, SameTopology, SubvoxelThickness
- * and Smoothing are for one object: an update with one of them is refused. Smoothing is Off by default.
+ * Thresholds, ObjectValue, BackgroundValue, GenerateVectorDistance, GenerateImportance, SubvoxelThickness and Smoothing
+ * are for one object: an update with one of them is refused. Smoothing is Off by default.
  *
  * \sa MedialVoxelImageFilter
  * \ingroup MedialVoxel
@@ -75,7 +77,7 @@ public:
   SizeValueType
   GetNumberOfPasses() const;
 
-  /** Number of cells that are medial for several objects; summed like the counts. */
+  /** Number of cells that are medial or added for several objects; summed like the counts. */
   SizeValueType
   GetNumberOfSharedCells() const;
 
@@ -93,6 +95,11 @@ public:
    * one of GetFoundLabels(). */
   SizeValueType
   GetNumberOfMedialCellsWithLabel(std::int64_t label) const;
+
+  /** Number of cells that SameTopology added for the object with a label, shared ones too. The label is one of
+   * GetFoundLabels(). */
+  SizeValueType
+  GetNumberOfAddedCellsWithLabel(std::int64_t label) const;
 
   using Superclass::MakeOutput;
   ProcessObject::DataObjectPointer
@@ -128,6 +135,10 @@ protected:
 
 private:
   class Objects;
+
+  /** Of the object with a label, in the last update. */
+  MedialVoxelObjectUnion::Cells
+  FindCells(std::int64_t label) const;
 
   static constexpr const char * ObjectsName = "Objects";
 

@@ -3,9 +3,8 @@
 #ifndef itkMedialVoxelObjectsImageFilter_hxx
 #define itkMedialVoxelObjectsImageFilter_hxx
 
-#include "itkMedialVoxelObjectUnion.h"
-
 #include <algorithm>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -27,6 +26,7 @@ public:
   MedialVoxelSums
   Run(const MedialVoxelBox & region)
   {
+    m_Union.CompleteTopology(m_Filter.GetSameTopology() ? std::make_optional(m_Filter.GetGrid()) : std::nullopt);
     m_Union.Begin(region, this->MakeValues());
     MedialVoxelSums    sums;
     const unsigned int passes = m_Map.GetNumberOfPasses();
@@ -49,12 +49,7 @@ public:
   KeepSums(const bool isNew)
   {
     m_Total = isNew ? MedialVoxelObjectUnion::Sums{} : m_Total;
-    m_Total.shared += m_Union.GetSums().shared;
-    for (const auto & [object, cells] : m_Union.GetSums().cells)
-    {
-      m_Total.cells[object].candidate += cells.candidate;
-      m_Total.cells[object].medial += cells.medial;
-    }
+    m_Total += m_Union.GetSums();
   }
 
   MedialVoxelObjectUnion &
@@ -176,13 +171,20 @@ MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::GetNumberOfVoxelsWithL
 }
 
 template <typename TInputImage, typename TOutputImage>
+MedialVoxelObjectUnion::Cells
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::FindCells(const std::int64_t label) const
+{
+  const MedialVoxelObjectNumber object = this->FindObjectNumber(label);
+  const auto                    found = m_Objects->GetTotal().cells.find(object);
+  return found == m_Objects->GetTotal().cells.end() ? MedialVoxelObjectUnion::Cells{} : found->second;
+}
+
+template <typename TInputImage, typename TOutputImage>
 SizeValueType
 MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::GetNumberOfCandidateCellsWithLabel(
   const std::int64_t label) const
 {
-  const MedialVoxelObjectNumber object = this->FindObjectNumber(label);
-  const auto                    found = m_Objects->GetTotal().cells.find(object);
-  return found == m_Objects->GetTotal().cells.end() ? 0 : static_cast<SizeValueType>(found->second.candidate);
+  return static_cast<SizeValueType>(this->FindCells(label).candidate);
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -190,9 +192,14 @@ SizeValueType
 MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::GetNumberOfMedialCellsWithLabel(
   const std::int64_t label) const
 {
-  const MedialVoxelObjectNumber object = this->FindObjectNumber(label);
-  const auto                    found = m_Objects->GetTotal().cells.find(object);
-  return found == m_Objects->GetTotal().cells.end() ? 0 : static_cast<SizeValueType>(found->second.medial);
+  return static_cast<SizeValueType>(this->FindCells(label).medial);
+}
+
+template <typename TInputImage, typename TOutputImage>
+SizeValueType
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::GetNumberOfAddedCellsWithLabel(const std::int64_t label) const
+{
+  return static_cast<SizeValueType>(this->FindCells(label).added);
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -222,11 +229,9 @@ MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() 
   {
     itkExceptionMacro("The objects of a label map are not smoothed; Smoothing must be Off.");
   }
-  if (this->GetGenerateVectorDistance() || this->GetGenerateImportance() || this->GetSameTopology())
+  if (this->GetGenerateVectorDistance() || this->GetGenerateImportance())
   {
-    itkExceptionMacro(
-      "Vectors, importance and SameTopology are for one object; set ObjectValue of MedialVoxelImageFilter "
-      "instead.");
+    itkExceptionMacro("Vectors and importance are for one object; set ObjectValue of MedialVoxelImageFilter instead.");
   }
   for (const std::int64_t label : m_ObjectLabels)
   {
@@ -282,6 +287,7 @@ void
 MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::KeepSums(const bool isNew)
 {
   m_Objects->KeepSums(isNew);
+  this->m_NumberOfAddedCells = static_cast<SizeValueType>(m_Objects->GetTotal().topology.addedCells);
 }
 
 template <typename TInputImage, typename TOutputImage>

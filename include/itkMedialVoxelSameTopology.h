@@ -18,6 +18,26 @@
 namespace itk
 {
 
+/** \struct MedialVoxelTopologySums
+ * \brief What was added for the topology of an object, or of several.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelTopologySums
+{
+  std::uint64_t           addedCells{ 0 };
+  MedialVoxelBettiNumbers object; ///< without its closed pores
+  MedialVoxelBettiNumbers cells;  ///< medial and added ones: the same numbers, or 0 in an image without background
+
+  MedialVoxelTopologySums &
+  operator+=(const MedialVoxelTopologySums & other)
+  {
+    addedCells += other.addedCells;
+    object += other.object;
+    cells += other.cells;
+    return *this;
+  }
+};
+
 /** \class MedialVoxelSameTopology
  * \brief Finds the cells that give the medial cells the topology of the object, from the tiles of a run.
  *
@@ -36,23 +56,34 @@ public:
   MedialVoxelSameTopology(const MedialVoxelGrid & grid, std::uint64_t maximumPoreSize, Consumer consumer);
   ~MedialVoxelSameTopology();
 
+  /** Call function(cell) for the added cells of a slice. */
+  template <typename TFunction>
+  static void
+  ForEachCell(const MedialVoxelBits & added, TFunction && function)
+  {
+    const MedialVoxelBox & box = added.GetBox();
+    MedialVoxelIndex       cell = box.lower;
+    for (cell[1] = box.lower[1]; cell[1] < box.upper[1]; ++cell[1])
+    {
+      for (std::int64_t word = 0; word < added.GetWordsPerRow(); ++word)
+      {
+        for (auto bits = added.GetRow(cell[1], cell[2])[word]; bits != 0; bits &= bits - 1)
+        {
+          cell[0] = word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(bits);
+          function(cell);
+        }
+      }
+    }
+  }
+
   /** Give the label AddedForTopology to the added cells of a slice, which begins at \a first. */
   template <typename TLabel>
   static void
   Label(const MedialVoxelBits & added, TLabel * const first, const MedialVoxelStrides & strides)
   {
-    const MedialVoxelBox & box = added.GetBox();
-    for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
-    {
-      for (std::int64_t word = 0; word < added.GetWordsPerRow(); ++word)
-      {
-        for (auto bits = added.GetRow(y, box.lower[2])[word]; bits != 0; bits &= bits - 1)
-        {
-          const std::int64_t x = word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(bits);
-          first[x + y * strides[1]] = static_cast<TLabel>(MedialVoxelLabel::AddedForTopology);
-        }
-      }
-    }
+    ForEachCell(added, [&](const MedialVoxelIndex & cell) {
+      first[cell[0] + cell[1] * strides[1]] = static_cast<TLabel>(MedialVoxelLabel::AddedForTopology);
+    });
   }
 
   /** Called by several workers at a time; one of them finds the cells of the slices that are complete. */
@@ -63,10 +94,6 @@ public:
   void
   AddSlice(const std::uint16_t * cells);
 
-  /** Cells that the consumer got. */
-  std::uint64_t
-  GetNumberOfAddedCells() const;
-
   /** Memory of the slices that wait for others, and of the counts. */
   std::uint64_t
   GetHeldBytes() const;
@@ -75,14 +102,9 @@ public:
   static std::uint64_t
   GetUsualBytes(const MedialVoxelGrid & grid, std::uint64_t maximumPoreSize, std::uint64_t wallThickness);
 
-  /** Parts, tunnels and cavities of the object, without its closed pores; after the last slice. */
-  MedialVoxelBettiNumbers
-  GetBettiNumbersOfObject() const;
-
-  /** The same of the medial and the added cells: the same numbers, or 0 in an image without background,
-   * which has none. */
-  MedialVoxelBettiNumbers
-  GetBettiNumbersOfCells() const;
+  /** After the last slice. */
+  MedialVoxelTopologySums
+  GetSums() const;
 
 private:
   class Implementation;

@@ -11,6 +11,7 @@
 #include "itkMedialVoxelObjectsImageFilter.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -156,7 +157,8 @@ struct CellResults
   std::size_t                sharedCells{ 0 };
 };
 
-/** The definition: a cell has the smallest object for which it is medial, and the smallest one without. */
+/** The definition: a cell has the smallest object for which it is medial, else for which it is added, else the smallest
+ * one. */
 inline CellResults
 PutTogether(const std::map<std::int64_t, CellResults> & single, const std::size_t numberOfCells)
 {
@@ -166,23 +168,21 @@ PutTogether(const std::map<std::int64_t, CellResults> & single, const std::size_
   all.thicknesses.assign(numberOfCells, 0.0f);
   for (std::size_t cell = 0; cell < numberOfCells; ++cell)
   {
-    std::vector<std::int64_t> candidates;
-    std::vector<std::int64_t> medial;
+    // Objects for which the cell is not medial, medial and added.
+    std::array<std::vector<std::int64_t>, 3> candidates;
     for (const auto & [object, results] : single)
     {
-      if (results.labels[cell] >= 1)
+      const int label = results.labels[cell];
+      if (label >= 1)
       {
-        candidates.push_back(object);
-      }
-      if (results.labels[cell] >= 2)
-      {
-        medial.push_back(object);
+        candidates[label == 4 ? 2 : label >= 2 ? 1 : 0].push_back(object);
       }
     }
-    all.sharedCells += medial.size() > 1 ? 1 : 0;
-    if (!candidates.empty())
+    const auto & [others, medial, added] = candidates;
+    all.sharedCells += medial.size() + added.size() > 1 ? 1 : 0;
+    if (!others.empty() || !medial.empty() || !added.empty())
     {
-      all.objects[cell] = medial.empty() ? candidates.front() : medial.front();
+      all.objects[cell] = (!medial.empty() ? medial : !added.empty() ? added : others).front();
       all.labels[cell] = single.at(all.objects[cell]).labels[cell];
       all.thicknesses[cell] = single.at(all.objects[cell]).thicknesses[cell];
     }

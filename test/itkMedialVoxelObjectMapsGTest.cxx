@@ -20,6 +20,7 @@ struct Settings
   double thickness;
   bool   usesSpacing;
   int    maximumPoreSize; ///< -1: the default
+  bool   sameTopology;
 };
 
 Settings
@@ -28,7 +29,8 @@ RollSettings(Dice & dice)
   return { dice.Roll(0, 1) == 1,
            dice.Choose<double>({ 1.5, 3.0, 5.0 }),
            dice.Roll(0, 1) == 1,
-           dice.Choose<int>({ -1, -1, 0, 40, 300 }) };
+           dice.Choose<int>({ -1, -1, 0, 40, 300 }),
+           dice.Roll(0, 1) == 1 };
 }
 
 template <typename TFilter>
@@ -43,6 +45,7 @@ Apply(TFilter & filter, const Settings & settings)
   {
     filter.SetMaximumPoreSize(static_cast<itk::SizeValueType>(settings.maximumPoreSize));
   }
+  filter.SetSameTopology(settings.sameTopology);
   filter.GenerateThicknessOn();
 }
 
@@ -53,6 +56,7 @@ struct Expected
   Counts                              counts{};
   std::map<std::int64_t, std::size_t> candidates;
   std::map<std::int64_t, std::size_t> medial;
+  std::map<std::int64_t, std::size_t> added;
 };
 
 /** By binary images, so that nothing of labels is in it. */
@@ -80,6 +84,7 @@ RunSingle(const LabelVolume & map, const std::set<std::int64_t> & labels, const 
     expected.counts.geodesicNonMedialCells += counts.geodesicNonMedialCells;
     expected.candidates[label] = counts.candidateCells;
     expected.medial[label] = counts.boundCells + counts.geodesicMedialCells;
+    expected.added[label] = filter->GetNumberOfAddedCells();
   }
   expected.all = PutTogether(single, map.labels.size());
   return expected;
@@ -155,6 +160,7 @@ struct Tally
   unsigned int savedPasses{ 0 };
   std::size_t  sharedCells{ 0 };
   std::size_t  poreCells{ 0 };
+  std::size_t  addedCells{ 0 };
   unsigned int selections{ 0 };
 };
 
@@ -222,22 +228,28 @@ CheckMap(Dice & dice, const std::vector<std::int64_t> & pool, Tally & tally)
   itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, static_cast<unsigned int>(dice.Choose<int>({ 0, 1, 6 })));
   filter->SetWorkingMemoryLimit(dice.Roll(0, 1) == 1 ? 0 : 64 << 20);
   const auto axis = static_cast<unsigned int>(dice.Roll(0, D - 1));
-  const auto pieces = static_cast<unsigned int>(dice.Choose<int>({ 1, 1, 2, 5 }));
+  // The topology takes the whole image.
+  const auto pieces = settings.sameTopology ? 1u : static_cast<unsigned int>(dice.Choose<int>({ 1, 1, 2, 5 }));
   const auto found = RunInRegions(*filter, Cut(image->GetLargestPossibleRegion(), axis, pieces));
 
   ExpectSame(found, expected.all);
   EXPECT_EQ(CountsOf(filter.GetPointer()), expected.counts);
   EXPECT_EQ(filter->GetFoundLabels(), std::vector<std::int64_t>(labels.begin(), labels.end()));
   EXPECT_TRUE(source->WasAskedByOneThread());
+  std::size_t addedCells = 0;
   for (const std::int64_t label : labels)
   {
     EXPECT_EQ(filter->GetNumberOfVoxelsWithLabel(label),
               static_cast<std::size_t>(std::count(map.labels.begin(), map.labels.end(), label)));
     EXPECT_EQ(filter->GetNumberOfCandidateCellsWithLabel(label), expected.candidates.at(label));
     EXPECT_EQ(filter->GetNumberOfMedialCellsWithLabel(label), expected.medial.at(label));
+    EXPECT_EQ(filter->GetNumberOfAddedCellsWithLabel(label), expected.added.at(label));
+    addedCells += expected.added.at(label);
   }
+  EXPECT_EQ(filter->GetNumberOfAddedCells(), addedCells);
   EXPECT_LE(filter->GetNumberOfPasses(), std::max<std::size_t>(labels.size(), 1));
   tally.savedPasses += filter->GetNumberOfPasses() < labels.size() ? 1 : 0;
+  tally.addedCells += addedCells;
   tally.sharedCells += expected.all.sharedCells;
   tally.poreCells += CountPoreCells(map, expected.all.objects);
 }
@@ -271,5 +283,6 @@ TEST(MedialVoxelObjectMaps, AreThoseOfSingleUpdates)
   EXPECT_GT(tally.savedPasses, 10u);
   EXPECT_GT(tally.sharedCells, 100u);
   EXPECT_GT(tally.poreCells, 100u);
+  EXPECT_GT(tally.addedCells, 100u);
   EXPECT_GT(tally.selections, 10u);
 }

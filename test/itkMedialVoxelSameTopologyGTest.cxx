@@ -87,12 +87,10 @@ ExpectBettiNumbers(const itk::MedialVoxelSameTopology & topology,
   const auto ofCells = FindBettiNumbers(filled, cells);
   if (scene.object.GetBox().upper[2] > 1)
   {
-    EXPECT_TRUE(
-      (topology.GetBettiNumbersOfObject() == itk::MedialVoxelBettiNumbers{ ofObject[0], ofObject[1], ofObject[2] }));
+    EXPECT_TRUE((topology.GetSums().object == itk::MedialVoxelBettiNumbers{ ofObject[0], ofObject[1], ofObject[2] }));
   }
-  EXPECT_TRUE(
-    (topology.GetBettiNumbersOfCells() == itk::MedialVoxelBettiNumbers{ ofCells[0], ofCells[1], ofCells[2] }));
-  EXPECT_TRUE(topology.GetBettiNumbersOfCells() == topology.GetBettiNumbersOfObject());
+  EXPECT_TRUE((topology.GetSums().cells == itk::MedialVoxelBettiNumbers{ ofCells[0], ofCells[1], ofCells[2] }));
+  EXPECT_TRUE(topology.GetSums().cells == topology.GetSums().object);
 }
 
 /** The cells that threads find who share the tiles. */
@@ -124,7 +122,7 @@ FindAdded(const Scene &                            scene,
   {
     thread.join();
   }
-  EXPECT_EQ(topology.GetNumberOfAddedCells(), number);
+  EXPECT_EQ(topology.GetSums().addedCells, number);
   ExpectBettiNumbers(topology, scene, maximumPoreSize, result);
   return result;
 }

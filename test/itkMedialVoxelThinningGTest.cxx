@@ -263,6 +263,50 @@ TEST(MedialVoxelThinning, AnObjectWithoutBoundaryStaysAndAddsNothing)
   EXPECT_EQ(kept, 4 * 5 * 6);
 }
 
+/** Beyond 8/3 (level + 8) + 10/3 voxels along an axis, other voxels, medial cells and levels change nothing. */
+TEST(MedialVoxelThinning, CellsDependOnNothingBeyondTheBound)
+{
+  constexpr std::int64_t length = 90;
+  constexpr std::int64_t known = 30;
+  int                    differences = 0;
+  for (unsigned int seed = 0; seed < 90; ++seed)
+  {
+    const unsigned int    axis = seed % 3;
+    const int             level = static_cast<int>(seed % 5);
+    const std::int64_t    bound = (8 * (level + Thinning::NumberOfChances) + 10) / 3;
+    itk::MedialVoxelIndex size{ { 7, 7, 7 } };
+    size[axis] = length;
+    Scene      scene = MakeScene(seed, size);
+    Scene      other = MakeScene(1000 + seed, size);
+    const auto limit = [&](Scene & changed) {
+      ForEachIndex(changed.levels.GetBox(),
+                   [&](const auto & cell) { changed.levels.Set(cell, std::min(changed.levels.Get(cell), level)); });
+    };
+    limit(scene);
+    limit(other);
+    // Cells of the last known slice have corners in the next one.
+    ForEachIndex(scene.object.GetBox(), [&](const auto & v) {
+      if (v[axis] <= known + bound)
+      {
+        other.object.Set(v, scene.object.Get(v));
+      }
+      if (v[axis] < known + bound)
+      {
+        other.medial.Set(v, scene.medial.Get(v));
+        other.levels.Set(v, scene.levels.Get(v));
+      }
+    });
+    const Values kept = Thin(scene).kept;
+    const Values keptOfOther = Thin(other).kept;
+    ForEachIndex(kept.GetBox(), [&](const auto & cell) {
+      const bool isSame = kept.Get(cell) == keptOfOther.Get(cell);
+      EXPECT_TRUE(isSame || cell[axis] > known) << seed;
+      differences += isSame ? 0 : 1;
+    });
+  }
+  EXPECT_GT(differences, 1000);
+}
+
 /** One slice for each change of the parity of z in the passes of the levels, and the slices at both ends. */
 TEST(MedialVoxelThinning, SlicesAreHeldAsFarAsTheBoundSays)
 {

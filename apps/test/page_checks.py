@@ -19,8 +19,8 @@ class BrowserTest(PageCase):
         self.addCleanup(browser.close)
         return browser
 
-    def show(self, *arguments):
-        browser = self.open(self.page("--lower", 72, *arguments))
+    def show(self, *arguments, thickness=3):
+        browser = self.open(self.page("--lower", 72, *arguments, thickness=thickness))
         browser.wait("arrived", "-1")
         return browser
 
@@ -44,6 +44,7 @@ class BrowserTest(PageCase):
         self.assertLessEqual({"x", "y", "z"}, set(texts))
         self.assertGreater(sum(text.isdigit() for text in texts), 5)
         self.assertIn("Thickness", browser.find("#view-legend")[0].text)
+        self.assertFalse(browser.find("#view-importance")[0].is_displayed(), "nothing to choose")
         self.assert_quiet(browser)
 
     def test_keys(self):
@@ -245,6 +246,30 @@ class BrowserTest(PageCase):
         objects = [x for (x, _, _), value in zip(self.volume.indices(), self.volume.voxels) if value >= 72]
         self.assertAlmostEqual(low, min(objects) - 0.5, delta=0.3)
         self.assertAlmostEqual(high, max(objects) + 0.5, delta=0.3)
+        self.assert_quiet(browser)
+
+    def test_the_slider_shows_the_sheets_of_larger_thicknesses(self):
+        volume = volumes.Volume((60, 50, 20), [])
+        volume.voxels = [100 if 5 <= x < 55 and 5 <= y < 45 and 7 <= z < 12 else 0 for x, y, z in volume.indices()]
+        volumes.write_meta(self.folder / "in.mha", volume)
+        browser = self.show("--importance", "i.mha", thickness="auto")
+        self.assertTrue(browser.find("#view-importance")[0].is_displayed())
+        shares = []
+        for thickness in (8, 11, 16):
+            browser.driver.execute_script(
+                "const data = JSON.parse(document.getElementById('view-data').textContent);"
+                "const slider = document.getElementById('view-importance');"
+                "slider.value = Math.round(arguments[0] / data.lengthUnit); slider.dispatchEvent(new Event('input'))",
+                thickness,
+            )
+            browser.wait_for_frames()
+            self.assertAlmostEqual(float(browser.state()["importance"]), thickness, delta=0.1)
+            self.assertEqual(browser.find("#view-importance-text")[0].text.split()[0], browser.state()["importance"])
+            pixels = browser.settled_pixels()
+            shares.append(((pixels.max(axis=2) - pixels.min(axis=2)) > 60).mean())
+        self.assertLess(shares[1], 0.95 * shares[0])
+        self.assertLess(shares[2], 0.8 * shares[1])
+        self.assertGreater(shares[2], 0.3 * shares[0], "the middle stays")
         self.assert_quiet(browser)
 
     def test_a_fixed_scale(self):

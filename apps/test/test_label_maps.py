@@ -6,6 +6,7 @@ MEDIALVOXEL_LABEL_MAPS is the number of random maps; default 24.
 """
 
 import array
+import itertools
 import json
 import os
 import random
@@ -80,10 +81,11 @@ def put_together(single):
     labels, objects, thickness, shared = bytearray(count), [0] * count, [0.0] * count, 0
     for cell in range(count):
         found = [(label, run["labels"][cell]) for label, run in sorted(single.items()) if run["labels"][cell]]
-        medial = [pair for pair in found if pair[1] > 1]
-        shared += len(medial) > 1
+        medial = [pair for pair in found if pair[1] in (2, 3)]
+        added = [pair for pair in found if pair[1] == 4]
+        shared += len(medial + added) > 1
         if found:
-            objects[cell], labels[cell] = (medial or found)[0]
+            objects[cell], labels[cell] = (medial or added or found)[0]
             thickness[cell] = single[objects[cell]]["thickness"][cell]
     return labels, objects, thickness, shared
 
@@ -123,14 +125,21 @@ class LabelMapTest(ProgramTestCase):
             # Objects have no place of the thinnest wall.
             thickness = {name: value for name, value in alone["thickness"].items() if name != "thinnest"}
             self.assertEqual(row["thickness"], thickness)
+            self.assertEqual(row.get("added_cells"), alone.get("topology", {}).get("added_cells"))
         for name in ("candidate_cells", "medial_cells", "boundary_voxels"):
             self.assertEqual(report["counts"][name], sum(run["report"]["counts"][name] for run in single.values()))
+        if "topology" in report:
+            alone = [run["report"]["topology"] for run in single.values()]
+            self.assertEqual(report["topology"]["added_cells"], sum(topology["added_cells"] for topology in alone))
+            for kind, number in itertools.product(("object", "sheet"), ("parts", "tunnels", "cavities")):
+                self.assertEqual(report["topology"][kind][number], sum(topology[kind][number] for topology in alone))
 
     def check_map(self, volume, dice):
         labels = sorted({int(v) for v in volume.voxels} - {0})
         name = volumes.write_meta(self.folder / "map.mha", volume, compressed=dice.random() < 0.3).name
         thickness = dice.choice(["auto", "auto", 3, 6])
         options = dice.choice([(), (), ("--max-pore-size", 0), ("--max-pore-size", 300)])
+        options += dice.choice([(), ("--same-topology",)])
         run = dice.choice([(), ("--threads", 1), ("--divisions", 3), ("--memory", "64M")])
         found = self.run_labels(name, *options, *run, kind=volume.kind, thickness=thickness)
         single = {label: self.run_label(name, label, *options, thickness=thickness) for label in labels}

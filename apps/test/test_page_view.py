@@ -4,6 +4,7 @@
 
 import base64
 import json
+import math
 import pathlib
 import re
 import shutil
@@ -52,7 +53,7 @@ def count_faces(shares):
 
 
 def decode_points(data, octets):
-    """Rows of block, place in the block in 256ths and code, as the page documents its bytes."""
+    """Rows of block, place in the block in 256ths and code, as the page documents its bytes; with the importance, if it has that."""
     values = iter(octets)
 
     def number():
@@ -70,7 +71,7 @@ def decode_points(data, octets):
         key += number()
         block = (key % width, key // width % height, key // width // height)
         places = tuple(next(values) for _ in range(3)) if data["edge"] > 1 else (128, 128, 128)
-        rows.append((block, places, number()))
+        rows.append((block, places, number(), number()) if data["importance"][1] else (block, places, number()))
     assert next(values, None) is None, "bytes are left"
     return rows
 
@@ -94,8 +95,8 @@ class PageCase(ProgramTestCase):
         self.volume = volumes.box_with_plate(size=(60, 50, 40))
         volumes.write_meta(self.folder / "in.mha", self.volume)
 
-    def page(self, *arguments, source="in.mha"):
-        self.extract(source, "out.mha", "--html", "r.html", "--overwrite", *arguments)
+    def page(self, *arguments, source="in.mha", thickness=3):
+        self.extract(source, "out.mha", "--html", "r.html", "--overwrite", *arguments, thickness=thickness)
         page = (self.folder / "r.html").read_text(errors="replace")
         self.require_view(page)
         return page
@@ -128,6 +129,24 @@ class PointTest(PageCase):
             else:
                 self.assertAlmostEqual((code - 2) * data["lengthUnit"], cells[block], delta=0.51 * data["lengthUnit"])
         self.assertEqual(kinds, {True, False})
+
+    def test_importance_chooses_the_sheet_of_each_thickness(self):
+        data, octets = read_data(self.page("--lower", 72, "--importance", "i.mha", "--min-thickness", 2, thickness="auto"))
+        rows = decode_points(data, octets)
+        codes = [importance for *_, importance in rows]
+        self.assertEqual(data["importance"], [min(codes), max(codes)])
+        self.assertAlmostEqual(max(codes) * data["lengthUnit"], 16, delta=data["lengthUnit"])
+        lengths, size = volumes.read_floats(self.folder / "i.mha"), self.volume.size
+        shown = {block for block, *_ in rows}
+        for thickness in (6, 8, 12, 16):
+            self.extract("in.mha", "fixed.mha", "--lower", 72, "--overwrite", "--max-pore-size", 32, thickness=thickness)
+            labels = volumes.read_data(self.folder / "fixed.mha")
+            medial = {(at % size[0], at // size[0] % size[1], at // (size[0] * size[1])) for at, label in enumerate(labels) if label > 1}
+            chosen = {block for block, *_, importance in rows if importance * data["lengthUnit"] >= thickness - 1e-9}
+            self.assertEqual(chosen, medial & shown, thickness)
+        for block, *_, importance in rows:
+            length = lengths[block[0] + size[0] * (block[1] + size[1] * block[2])]
+            self.assertAlmostEqual(importance * data["lengthUnit"], length * 2 / math.pi, delta=data["lengthUnit"])
 
     @unittest.skipUnless(ENGINE.exists(), f"{ENGINE} is not there")
     def test_points_of_a_large_sheet(self):
@@ -189,6 +208,9 @@ class PointTest(PageCase):
         whole = RUN.sub("", self.page("--lower", 72, "--threads", 1))
         for arguments in (("--threads", 4, "--divisions", 7), ("--divisions", 40), ("--memory", "72M")):
             self.assertTrue(RUN.sub("", self.page("--lower", 72, *arguments)) == whole, arguments)
+        # Values of another output.
+        whole = self.page("--lower", 72, "--importance", "i.mha")
+        self.assertEqual(read_data(self.page("--lower", 72, "--importance", "i.mha", "--divisions", 7)), read_data(whole))
 
     def test_nothing_to_show(self):
         empty = volumes.Volume((9, 8, 7), [0] * 504)
@@ -213,7 +235,7 @@ class JobTest(JobTestCase):
         packed = ENGINE.read_bytes()[volumes.read_header(ENGINE)[1] :]
         (self.folder / "e.raw").write_bytes(zlib.decompress(packed))
         options = ["../e.raw", "e.mha", "--raw-size", "256,256,110", "--raw-type", "uint8", "--lower", 72]
-        options += ["--thin-below", 4, "--html", "e.html"]
+        options += ["--thin-below", 4, "--html", "e.html", "--importance", "i.mha"]
         expected = self.expect("extract", *options)
         self.in_target("plan", *options[:2], "job", *options[2:], "--divisions", 3)
         self.in_target("work", "job", "--clusters", "1-2")

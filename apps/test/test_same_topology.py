@@ -142,7 +142,6 @@ class SameTopologyTest(ProgramTestCase):
     def test_errors(self):
         volumes.write_meta(self.folder / "in.mha", SHAPES["ball"][0])
         extract = ("extract", "in.mha", "o.mha", OPTION)
-        self.assert_fails(USAGE, ["labels of several objects", "the same topology", "--label"], *extract, "--labels", "all")
         self.assert_fails(USAGE, [OPTION, "OUTPUT"], "extract", "in.mha", OPTION, "--report", "r.json")
 
     def test_planned_memory(self):
@@ -168,6 +167,103 @@ class SameTopologyTest(ProgramTestCase):
         extract = ("extract", "in.raw", "o.mha", OPTION, *raw)
         least = self.find_least_memory(*extract)
         self.assert_fails(REFUSED, ["topology of the object", "--memory"], *extract, "--memory", least + (8 << 20))
+
+
+def put_in_map(parts, size=(44, 40, 38)):
+    """Shapes of SHAPES at offsets, with labels; later ones lie over earlier ones."""
+    scene = volumes.Volume(size, [0] * math.prod(size))
+    for label, name, offset in parts:
+        volume = SHAPES[name][0]
+        for (x, y, z), value in zip(volume.indices(), volume.voxels):
+            if value:
+                scene.voxels[x + offset[0] + size[0] * (y + offset[1] + size[1] * (z + offset[2]))] = label
+    return scene
+
+
+class LabelMapTopologyTest(ProgramTestCase):
+    """Each object of a label map keeps its own topology. test_label_maps compares random maps with runs for one label."""
+
+    def extract_objects(self, *options):
+        self.run_program(
+            "extract", "in.mha", "out.mha", "--labels", "all", "--objects", "objects.mha", "--report", "r.json", "--overwrite",
+            "--quiet", OPTION, *options,
+        )  # fmt: skip
+        self.report = json.loads((self.folder / "r.json").read_text())
+        return volumes.read_data(self.folder / "out.mha"), volumes.read_data(self.folder / "objects.mha")
+
+    def test_objects_that_touch_and_lie_within_others(self):
+        """A ball in a shell, a ring around a rod: numbers of the objects alone are added."""
+        scene = put_in_map([(3, "shell", (0, 0, 0)), (9, "ring", (13, 8, 12)), (5, "two rods", (6, 5, 2))])
+        for i, index in enumerate(scene.indices()):
+            scene.voxels[i] = 120 if math.dist(index, (14.5, 13.5, 12.5)) < 5 else scene.voxels[i]
+        volumes.write_meta(self.folder / "in.mha", scene)
+        for options in (("--thickness", 3), ("--thickness", "auto", "--max-pore-size", 5)):
+            found = self.extract_objects(*options)
+            sums, added = dict.fromkeys(("parts", "tunnels", "cavities"), 0), {}
+            for label in (3, 5, 9, 120):
+                self.run_program(
+                    "extract", "in.mha", "one.mha", "--label", label, "--report", "one.json", "--smooth", "off", "--overwrite",
+                    "--quiet", OPTION, *options,
+                )  # fmt: skip
+                alone = json.loads((self.folder / "one.json").read_text())["topology"]
+                self.assertEqual(alone["object"], alone["sheet"])
+                sums = {name: value + alone["object"][name] for name, value in sums.items()}
+                added[label] = alone["added_cells"]
+            self.assertEqual(self.report["topology"]["object"], sums)
+            self.assertEqual(self.report["topology"]["sheet"], sums)
+            self.assertEqual({row["label"]: row["added_cells"] for row in self.report["objects"]}, added)
+            self.assertGreater(sum(added.values()), 20)
+            expected = self.report
+            for run in (("--divisions", 5), ("--divisions", 38, "--threads", 1), ("--threads", 3, "--memory", "64M"), ("--scratch", "."), ("--sparse",)):
+                self.assertEqual(self.extract_objects(*options, *run), found, run)
+                for name in ("topology", "objects", "shared_cells"):
+                    self.assertEqual(self.report[name], expected[name], (name, run))
+        self.assertEqual({path.name for path in self.folder.iterdir()}, {"in.mha", "out.mha", "objects.mha", "r.json", "one.mha", "one.json"})
+
+    def test_cells_of_two_sheets(self):
+        """A cell between plates of one voxel that is medial for both, or added for one, counts as shared, once."""
+        scene = volumes.Volume((20, 16, 12), [])
+        scene.voxels = [{5: 2, 6: 7}.get(z, 0) if 2 <= x < 18 and 2 <= y < 14 else 0 for x, y, z in scene.indices()]
+        volumes.write_meta(self.folder / "in.mha", scene)
+        labels, objects = self.extract_objects("--thickness", 3)
+        shared = self.report["shared_cells"]
+        self.assertEqual(self.report["topology"]["sheet"], {"parts": 2, "tunnels": 0, "cavities": 0})
+        self.assertEqual(sum(row["medial_cells"] + row["added_cells"] for row in self.report["objects"]), shared + sum(label > 1 for label in labels))
+
+    def test_storages(self):
+        """Packed labels and objects have the same cells."""
+        volumes.write_meta(self.folder / "in.mha", put_in_map([(3, "ring", (0, 0, 0)), (5, "ball", (9, 6, 8))]))
+        labels, objects = self.extract_objects()
+        self.assertIn(4, labels)
+        for extension in ("nrrd", "seg.nrrd", "nii.gz", "zarr"):
+            names = f"o.{extension.replace('seg.', '')}", f"b.{extension}"
+            run = ("--labels", "all", OPTION, "--objects", names[1], "--report", "r.json", "--overwrite", "--quiet")
+            self.run_program("extract", "in.mha", names[0], *run)
+            self.assertEqual(json.loads((self.folder / "r.json").read_text())["topology"], self.report["topology"])
+            counted = []
+            for name, value in ((names[0], 4), (names[1], 5)):
+                self.run_program("extract", name, "v.mha", "--label", value, "--thickness", 3, "--report", "d.json", "--overwrite", "--quiet")
+                counted.append(json.loads((self.folder / "d.json").read_text())["counts"]["object_voxels"])
+            self.assertEqual(counted, [labels.count(4), objects.count(5)], extension)
+
+    def test_flat_map(self):
+        """In an image of two axes, two rings keep their holes."""
+        for size in ((40, 29), (40, 29, 1)):
+            scene = volumes.Volume(size, [])
+            scene.voxels = [
+                1 if 6 < math.hypot(x - 13, y - 14) < 11 else 2 if 4 < math.hypot(x - 30, y - 14) < 8 else 0
+                for x, y, *_ in scene.indices()
+            ]
+            volumes.write_meta(self.folder / "in.mha", scene)
+            found = self.extract_objects()
+            self.assertEqual(self.report["topology"]["sheet"], {"parts": 2, "tunnels": 2, "cavities": 0})
+            self.assertEqual(self.extract_objects("--divisions", 4), found)
+
+    def test_errors(self):
+        volumes.write_meta(self.folder / "in.mha", SHAPES["ball"][0])
+        run = ("in.mha", "out.mha", "--labels", "all", OPTION)
+        self.assert_fails(REFUSED, ["labels of several objects"], "plan", *run[:2], "job", *run[2:])
+        self.assert_fails(REFUSED, ["scratch folder"], "extract", *run, "--scratch", "none")
 
 
 class SameTopologyJobTest(jobs.JobTestCase):

@@ -69,9 +69,10 @@ class Medial(_Outputs):
         Numbers of voxels and cells, by their names in the report of the program.
     topology : dict[str, Any] or None
         With ``same_topology=True``: `added_cells`, and the numbers of `parts`, `tunnels` and `cavities` of the `object` and of the
-        `sheet`, which is all cells of the labels 2, 3 and 4.
+        `sheet`, which is all cells of the labels 2, 3 and 4; sums over objects with ``labels``.
     object_counts : list[dict[str, int]]
-        With ``labels``: label, voxels, candidate_cells and medial_cells of each object.
+        With ``labels``: label, voxels, candidate_cells and medial_cells of each object, with ``same_topology=True`` also
+        added_cells.
     origin : tuple[float, ...]
         Position of the first cell, in the units of the spacing: half a voxel along each axis longer than 1.
     spacing : tuple[float, ...]

@@ -116,7 +116,7 @@ ExtractOne(const ArrayCall & call, ExtractOptions options)
   });
   nlohmann::json numbers =
     Describe(sums.counts, object.GetRoughness(), object.IsSmoothed(), measure, extraction.parameters);
-  numbers["topology"] = topology ? DescribeTopology(*topology) : Json(nullptr);
+  numbers["topology"] = topology ? DescribeTopology(topology->GetSums()) : Json(nullptr);
   return numbers;
 }
 
@@ -188,6 +188,7 @@ ExtractObjects(const ArrayCall & call, const ExtractOptions & options)
                                  extraction.parameters.maximumPoreSize);
   Prepare(engine, options, map);
   itk::MedialVoxelObjectUnion united(map, image.upper, extraction.parameters.maximumPoreSize);
+  united.CompleteTopology(options.sameTopology ? std::make_optional(engine.GetGrid()) : std::nullopt);
   united.Begin(image, MakeValues(call));
   itk::MedialVoxelCounts counts;
   for (unsigned int pass = 0; pass < map.GetNumberOfPasses(); ++pass)
@@ -211,8 +212,13 @@ ExtractObjects(const ArrayCall & call, const ExtractOptions & options)
                                    { "voxels", map.GetObjectVoxels()[object] },
                                    { "candidate_cells", cells.candidate },
                                    { "medial_cells", cells.medial } });
+    if (options.sameTopology)
+    {
+      numbers["objects"].back()["added_cells"] = cells.added;
+    }
   }
   numbers["shared_cells"] = united.GetSums().shared;
+  numbers["topology"] = options.sameTopology ? DescribeTopology(united.GetSums().topology) : Json(nullptr);
   return numbers;
 }
 

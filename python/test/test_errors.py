@@ -38,7 +38,6 @@ OF_THE_PROGRAM = [
     ({"uncertainty": True, "lower": 1, "sub_voxel": False}, ["--uncertainty-map={folder}/u.mha", "--lower=1", "--sub-voxel=off"]),
     ({"labels": "all", "lower": 3}, ["--labels=all", "--lower=3"]),
     ({"labels": [0]}, ["--labels=0"]),
-    ({"labels": "all", "same_topology": True}, ["--labels=all", "--same-topology"]),
     ({"threads": 0}, ["--threads=0"]),
     ({"memory": "much"}, ["--memory=much"]),
     ({"vectors": True, "vector_boundary": "none"}, ["--vectors={folder}/v.mha", "--vector-boundary=none"]),

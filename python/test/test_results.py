@@ -141,6 +141,20 @@ class Results(Folder):
             self.assertIsNone(plain.topology)
             np.testing.assert_array_equal(found.medial, plain.medial)
 
+    def test_topology_of_objects_is_that_of_the_program(self):
+        labels, objects, report = (self.folder / name for name in ("labels.mha", "objects.mha", "report.json"))
+        array = np.digitize(scene(), (40, 90)).astype(np.uint8)
+        options = ["--labels=all", f"--objects={objects}", f"--report={report}"]
+        self.program("extract", array, labels, "--same-topology", *options)
+        found = medialvoxel.extract(array, spacing=SPACING, labels="all", same_topology=True)
+        told = json.loads(report.read_text())
+        self.assert_same(found.labels, read(labels))
+        self.assert_same(found.objects, read(objects))
+        self.assertEqual(found.topology, told["topology"])
+        names = ("label", "voxels", "candidate_cells", "medial_cells", "added_cells")
+        self.assertEqual(found.object_counts, [{name: row[name] for name in names} for row in told["objects"]])
+        self.assertNotIn("added_cells", medialvoxel.extract(array, labels="all").object_counts[0])
+
     def test_values_without_a_scan_are_measured_on_the_object(self):
         values = scene().astype("uint8")
         found = medialvoxel.extract(values, lower=40, upper=90)

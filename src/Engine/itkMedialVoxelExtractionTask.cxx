@@ -240,12 +240,19 @@ MedialVoxelBox
 MedialVoxelExtractionTask::Show(const Tile & tile) const
 {
   TileWorkspace &                 workspace = tile.workspace;
-  const MedialVoxelClassifiedTile classified{
-    tile.box,        tile.window,          workspace.features, m_Classifier,          workspace.classifier.rows,
-    workspace.walls, workspace.classifier, tile.progress,      tile.moving.GetGray(), workspace.fits
-  };
-  const auto &   observers = m_Settings.observers;
-  MedialVoxelBox missing;
+  const MedialVoxelClassifiedTile classified{ tile.box,
+                                              tile.window,
+                                              workspace.features,
+                                              m_Classifier,
+                                              workspace.classifier.rows,
+                                              workspace.walls,
+                                              workspace.classifier,
+                                              tile.progress,
+                                              tile.moving.GetGray(),
+                                              workspace.fits,
+                                              m_Importance ? &workspace.importance : nullptr };
+  const auto &                    observers = m_Settings.observers;
+  MedialVoxelBox                  missing;
   for (std::size_t i = 0; i < observers.size(); ++i)
   {
     missing = missing.Union(observers[i]->Examine(classified, workspace.observers[i].get()));

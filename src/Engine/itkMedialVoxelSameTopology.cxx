@@ -111,12 +111,6 @@ public:
   }
 
   std::uint64_t
-  GetNumberOfAddedCells() const
-  {
-    return m_NumberOfAddedCells;
-  }
-
-  std::uint64_t
   GetHeldBytes() const
   {
     const std::uint64_t ofBits = MedialVoxelBits::GetBytes(m_Thinning.GetSliceBox(0));
@@ -125,16 +119,12 @@ public:
            m_Cells.GetBytesOfRuns();
   }
 
-  MedialVoxelBettiNumbers
-  GetBettiNumbersOfObject() const
+  MedialVoxelTopologySums
+  GetSums() const
   {
-    return m_Object.GetBettiNumbers();
-  }
-
-  MedialVoxelBettiNumbers
-  GetBettiNumbersOfCells() const
-  {
-    return m_HasBoundary ? m_Cells.GetBettiNumbers() : MedialVoxelBettiNumbers();
+    return { m_NumberOfAddedCells,
+             m_Object.GetBettiNumbers(),
+             m_HasBoundary ? m_Cells.GetBettiNumbers() : MedialVoxelBettiNumbers() };
   }
 
 private:
@@ -256,12 +246,6 @@ MedialVoxelSameTopology::AddSlice(const std::uint16_t * const cells)
 }
 
 std::uint64_t
-MedialVoxelSameTopology::GetNumberOfAddedCells() const
-{
-  return m_Implementation->GetNumberOfAddedCells();
-}
-
-std::uint64_t
 MedialVoxelSameTopology::GetHeldBytes() const
 {
   return m_Implementation->GetHeldBytes();
@@ -282,16 +266,10 @@ MedialVoxelSameTopology::GetUsualBytes(const MedialVoxelGrid & grid,
          2 * MedialVoxelCellComplex::GetUsualBytes(slice);
 }
 
-MedialVoxelBettiNumbers
-MedialVoxelSameTopology::GetBettiNumbersOfObject() const
+MedialVoxelTopologySums
+MedialVoxelSameTopology::GetSums() const
 {
-  return m_Implementation->GetBettiNumbersOfObject();
-}
-
-MedialVoxelBettiNumbers
-MedialVoxelSameTopology::GetBettiNumbersOfCells() const
-{
-  return m_Implementation->GetBettiNumbersOfCells();
+  return m_Implementation->GetSums();
 }
 
 } // end namespace itk

@@ -38,6 +38,8 @@ struct MedialVoxelClassifiedTile
   const MedialVoxelGray & gray; ///< values around the tile; empty unless the filter measures on them
 
   MedialVoxelGrayThickness::Workspace & fits; ///< memory to measure on them
+
+  const std::vector<float> * importance{ nullptr }; ///< of the cells of the box; null unless it is found
 };
 
 /** \class MedialVoxelTileObserver

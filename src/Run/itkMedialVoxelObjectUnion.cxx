@@ -9,12 +9,36 @@
 
 namespace itk
 {
+namespace
+{
+
+/** The cell belongs to the object with the highest rank; 0: it is not in the sheet. */
+int
+RankOf(const std::uint8_t label)
+{
+  return label < MedialVoxelLabel::MedialByBound ? 0 : label == MedialVoxelLabel::AddedForTopology ? 1 : 2;
+}
+
+} // namespace
+
+auto
+MedialVoxelObjectUnion::Sums::operator+=(const Sums & other) -> Sums &
+{
+  shared += other.shared;
+  topology += other.topology;
+  for (const auto & [object, own] : other.cells)
+  {
+    cells[object] += own;
+  }
+  return *this;
+}
 
 MedialVoxelObjectUnion::MedialVoxelObjectUnion(MedialVoxelObjectMap &   map,
                                                const MedialVoxelIndex & size,
                                                const std::uint64_t      maximumPoreSize)
   : m_Map(map)
-  , m_Region(map, size, maximumPoreSize)
+  , m_Region(map, size)
+  , m_MaximumPoreSize(maximumPoreSize)
 {}
 
 void
@@ -26,12 +50,39 @@ MedialVoxelObjectUnion::Begin(const MedialVoxelBox & region, std::vector<Values>
   m_Objects.assign(m_Labels.size(), 0);
   m_Sums = {};
   m_PoreCells.clear();
+  m_AddedCells.clear();
   m_Region.Read(region);
+  this->BeginTopology();
+}
+
+void
+MedialVoxelObjectUnion::BeginAgain(const MedialVoxelBox &               region,
+                                   std::vector<std::uint8_t>            labels,
+                                   std::vector<MedialVoxelObjectNumber> objects)
+{
+  this->Begin(region, {});
+  m_Labels = std::move(labels);
+  m_Objects = std::move(objects);
+}
+
+void
+MedialVoxelObjectUnion::BeginTopology()
+{
+  m_Topology.reset();
+  if (m_Grid)
+  {
+    m_Topology = std::make_unique<MedialVoxelSameTopology>(
+      *m_Grid, m_MaximumPoreSize, [this](const MedialVoxelBits & added) { this->TakeAddedCells(added); });
+  }
 }
 
 void
 MedialVoxelObjectUnion::TakeTile(const MedialVoxelTileResult & tile)
 {
+  if (m_Topology)
+  {
+    m_Topology->TakeTile(tile);
+  }
   if (tile.isEmpty)
   {
     return;
@@ -71,12 +122,7 @@ MedialVoxelObjectUnion::TakeTile(const MedialVoxelTileResult & tile)
     }
   });
   const std::lock_guard<std::mutex> lock(m_Mutex);
-  m_Sums.shared += sums.shared;
-  for (const auto & [object, cells] : sums.cells)
-  {
-    m_Sums.cells[object].candidate += cells.candidate;
-    m_Sums.cells[object].medial += cells.medial;
-  }
+  m_Sums += sums;
   std::move(poreCells.begin(), poreCells.end(), std::back_inserter(m_PoreCells));
 }
 
@@ -88,32 +134,38 @@ MedialVoxelObjectUnion::TakeCell(const std::size_t             offset,
                                  const TValueOf &              valueOf,
                                  Sums &                        sums)
 {
-  std::uint8_t &            knownLabel = m_Labels[offset];
-  MedialVoxelObjectNumber & owner = m_Objects[offset];
-  const std::uint8_t        mark = knownLabel & SharedMark;
-  const bool                isMedial = label >= MedialVoxelLabel::MedialByBound;
-  const bool                wasMedial = (knownLabel & ~SharedMark) >= MedialVoxelLabel::MedialByBound;
-  Cells &                   cells = sums.cells[object];
+  Cells & cells = sums.cells[object];
   ++cells.candidate;
-  cells.medial += isMedial ? 1 : 0;
+  cells.medial += RankOf(label) > 0 ? 1 : 0;
+  const bool isGiven = this->Give(offset, label, object, sums);
+  for (std::size_t kind = 0; kind < m_Values.size() && isGiven; ++kind)
+  {
+    const std::size_t bytes = m_Values[kind].bytesPerVoxel;
+    std::copy_n(valueOf(kind), bytes, m_Values[kind].first + offset * bytes);
+  }
+}
+
+bool
+MedialVoxelObjectUnion::Give(const std::size_t             offset,
+                             const std::uint8_t            label,
+                             const MedialVoxelObjectNumber object,
+                             Sums &                        sums)
+{
+  const auto                mark = static_cast<std::uint8_t>(m_Labels[offset] & SharedMark);
+  const auto                known = static_cast<std::uint8_t>(m_Labels[offset] & ~SharedMark);
+  MedialVoxelObjectNumber & owner = m_Objects[offset];
   if (owner == object)
   {
-    return; // a tile of a pass that is run again
+    // A tile of a pass that is run again gives the same label.
+    m_Labels[offset] = static_cast<std::uint8_t>(std::max(label, known) | mark);
+    return false;
   }
-  const bool areBoth = isMedial && wasMedial;
+  const bool areBoth = RankOf(label) > 0 && RankOf(known) > 0;
   sums.shared += areBoth && mark == 0 ? 1 : 0;
-  const std::uint8_t newMark = areBoth ? SharedMark : mark;
-  const bool         isTaken = owner == 0 || (isMedial == wasMedial ? object < owner : isMedial);
-  if (isTaken)
-  {
-    owner = object;
-    for (std::size_t kind = 0; kind < m_Values.size(); ++kind)
-    {
-      const std::size_t bytes = m_Values[kind].bytesPerVoxel;
-      std::copy_n(valueOf(kind), bytes, m_Values[kind].first + offset * bytes);
-    }
-  }
-  knownLabel = static_cast<std::uint8_t>((isTaken ? label : knownLabel & ~SharedMark) | newMark);
+  const bool isGiven = owner == 0 || (RankOf(label) == RankOf(known) ? object < owner : RankOf(label) > RankOf(known));
+  owner = isGiven ? object : owner;
+  m_Labels[offset] = static_cast<std::uint8_t>((isGiven ? label : known) | (areBoth ? SharedMark : mark));
+  return isGiven;
 }
 
 void
@@ -126,12 +178,32 @@ MedialVoxelObjectUnion::FinishPass()
     this->TakeCell(m_Box.OffsetOf(cell.index), cell.label, object, valueOf, m_Sums);
   }
   m_PoreCells.clear();
+  if (m_Topology)
+  {
+    m_Sums.topology += m_Topology->GetSums();
+    this->BeginTopology();
+  }
+  for (const MedialVoxelBits & added : m_AddedCells)
+  {
+    this->GiveAddedCells(added);
+  }
+  m_AddedCells.clear();
 }
 
 void
-MedialVoxelObjectUnion::Finish()
+MedialVoxelObjectUnion::GiveAddedCells(const MedialVoxelBits & added)
 {
-  std::transform(m_Labels.begin(), m_Labels.end(), m_Labels.begin(), [](const std::uint8_t label) {
+  MedialVoxelSameTopology::ForEachCell(added, [this](const MedialVoxelIndex & cell) {
+    const auto object = m_Region.FindOwner(cell, m_Map.GetShownPass());
+    ++m_Sums.cells[object].added;
+    this->Give(static_cast<std::size_t>(m_Box.OffsetOf(cell)), MedialVoxelLabel::AddedForTopology, object, m_Sums);
+  });
+}
+
+void
+MedialVoxelObjectUnion::RemoveMarks(std::vector<std::uint8_t> & labels)
+{
+  std::transform(labels.begin(), labels.end(), labels.begin(), [](const std::uint8_t label) {
     return static_cast<std::uint8_t>(label & ~SharedMark);
   });
 }

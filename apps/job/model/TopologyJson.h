@@ -18,11 +18,11 @@ ToJson(const itk::MedialVoxelBettiNumbers & numbers)
 
 /** The cells that were added, and what the object and the sheet with them have, for reports. */
 inline Json
-DescribeTopology(const itk::MedialVoxelSameTopology & topology)
+DescribeTopology(const itk::MedialVoxelTopologySums & topology)
 {
-  return { { "added_cells", topology.GetNumberOfAddedCells() },
-           { "object", ToJson(topology.GetBettiNumbersOfObject()) },
-           { "sheet", ToJson(topology.GetBettiNumbersOfCells()) } };
+  return { { "added_cells", topology.addedCells },
+           { "object", ToJson(topology.object) },
+           { "sheet", ToJson(topology.cells) } };
 }
 
 } // end namespace medialvoxel

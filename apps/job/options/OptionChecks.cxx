@@ -86,7 +86,6 @@ CheckLabelOptions(const ExtractOptions & options)
     { "vectors", !options.vectorFile.empty(), oneObject },
     { "distances", !options.distanceFile.empty(), oneObject },
     { "an importance", !options.importanceFile.empty(), oneObject },
-    { "the same topology", options.sameTopology, oneObject },
     { "walls", NumbersWalls(options), oneObject },
     { "a local thickness", !options.localThicknessFile.empty(), oneObject },
     { "thin or thick places", ListsPlaces(options), oneObject },

@@ -161,16 +161,18 @@ AddTopology(std::vector<OptionRow> & rows)
   AddRow(rows, "--same-topology", "", Flag(&ExtractOptions::sameTopology))
     .OfJobs(Extractions, "Method")
     .Hidden()
-    .Help("Add cells, so that the sheet has the object's topology",
-          "They have the label 4. The labels 2, 3 and 4 together have as many parts, tunnels and cavities as the "
-          "object; labels 2 and 3 stay. Takes 2 bytes of scratch space for each voxel. Not with --labels.")
+    .Help(
+      "Add cells, so that the sheet has the object's topology",
+      "They have the label 4. The labels 2, 3 and 4 together have as many parts, tunnels and cavities as the "
+      "object, with --labels for each object; labels 2 and 3 stay. Takes 2 bytes of scratch space for each voxel, with "
+      "--labels 3, and 2 more for each pass.")
     .Needs("OUTPUT", HasLabels)
     .Python(Extract)
     .Slicer({ "Object",
               "sameTopology",
               "Same topology",
               "Add cells with the label 4, so that the labels 2, 3 and 4 together have as many parts, tunnels and "
-              "cavities as the object" });
+              "cavities as the object, with Labels as each object" });
 }
 
 void

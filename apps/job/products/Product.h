@@ -19,6 +19,7 @@
 namespace medialvoxel
 {
 
+class PassCells;
 class SheetMesh;
 struct Pictures;
 
@@ -48,6 +49,7 @@ struct ProductLinks
   itk::MedialVoxelTileObserver * observer{ nullptr }; ///< sees the tiles of the extraction
   TileSurvey *                   survey{ nullptr };   ///< the same, if it is saved for other processes
   SheetMesh *                    mesh{ nullptr };     ///< separates the objects of a label map
+  PassCells *                    cells{ nullptr };    ///< of the passes over a label map
   VolumeRequest *                request{ nullptr };  ///< of a volume that an engine fills
   VoxelOutput *                  volume{ nullptr };   ///< where it goes
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Products.h"
 
+#include "ObjectTopologyProduct.h"
 #include "Outputs.h"
 #include "Report.h"
 #include "ResultViews.h"
@@ -10,6 +11,7 @@
 #include "Warnings.h"
 
 #include <algorithm>
+#include <optional>
 #include <type_traits>
 
 namespace medialvoxel
@@ -135,6 +137,22 @@ MakeVolumes(const TOptions & options, const VolumeHeader & header)
   return products;
 }
 
+/** The topology is completed at the end, which makes the labels, and with several objects the map of them. */
+void
+ReplaceLabels(ProductList & products, const ExtractOptions & options, const VolumeHeader & header)
+{
+  const std::vector<VolumeRequest> volumes = ListVolumes(options, header);
+  if (!options.labels)
+  {
+    products.front() = std::make_unique<TopologyProduct>(options, volumes.front());
+    return;
+  }
+  const bool hasObjects = !options.objectFile.empty();
+  products.front() = std::make_unique<ObjectTopologyProduct>(
+    options, volumes.front(), hasObjects ? std::make_optional(volumes[1]) : std::nullopt);
+  products.erase(products.begin() + 1, products.begin() + (hasObjects ? 2 : 1));
+}
+
 /** Labels that pictures are drawn of, which nobody asked for. */
 std::unique_ptr<Product>
 MakeDrawnLabels(const ExtractOptions & options, const VolumeHeader & header)
@@ -155,7 +173,7 @@ MakeProducts(const ExtractOptions & options, const VolumeHeader & header)
   ProductList products = MakeVolumes(options, header);
   if (options.sameTopology)
   {
-    products.front() = std::make_unique<TopologyProduct>(options, ListVolumes(options, header).front());
+    ReplaceLabels(products, options, header);
   }
   if (options.output.empty() && PictureRow.IsWanted(options))
   {

@@ -70,8 +70,10 @@ private:
   std::uint64_t              m_Number{ 0 };
 };
 
+} // namespace
+
 void
-CheckMemory(const itk::MedialVoxelSameTopology & topology, const JobPlan & plan)
+CheckTopologyMemory(const itk::MedialVoxelSameTopology & topology, const JobPlan & plan)
 {
   const std::uint64_t allowed = plan.memory.limit - std::min(plan.memory.limit, plan.memory.fixed);
   if (plan.memory.limit != NoMemoryLimit && topology.GetHeldBytes() > allowed)
@@ -84,8 +86,6 @@ CheckMemory(const itk::MedialVoxelSameTopology & topology, const JobPlan & plan)
          " of memory that are left for them; allow more with --memory, or leave out --same-topology");
   }
 }
-
-} // namespace
 
 TopologyProduct::TopologyProduct(const ExtractOptions & options, VolumeRequest labels)
   : Product({})
@@ -143,14 +143,14 @@ TopologyProduct::FillVolumes(JobResult & result, const ProductEnd & end)
   {
     cells.Read(slice * perSlice, perSlice, packed.data());
     topology.AddSlice(packed.data());
-    CheckMemory(topology, result.plan);
+    CheckTopologyMemory(topology, result.plan);
     end.progress(static_cast<double>(slice + 1) / static_cast<double>(slices));
   }
   while (writer.GetNumberOfSlices() < slices)
   {
     writer.Write({}); // the last one has no cells
   }
-  result.topology = DescribeTopology(topology);
+  result.topology = DescribeTopology(topology.GetSums());
   result.seconds.topology = SecondsSince(start);
 }
 

@@ -5,8 +5,14 @@
 
 #include "Product.h"
 
+#include "itkMedialVoxelSameTopology.h"
+
 namespace medialvoxel
 {
+
+/** \throw JobError Refused when the slices that wait need more than the plan leaves for them */
+void
+CheckTopologyMemory(const itk::MedialVoxelSameTopology & topology, const JobPlan & plan);
 
 /** \class TopologyProduct
  * \brief Labels with cells for the topology of the object, which need the whole volume: the run keeps all cells in a

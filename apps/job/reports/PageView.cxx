@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
+#include <utility>
 
 namespace medialvoxel
 {
@@ -21,8 +23,8 @@ constexpr const char * Library = "three.js";
 constexpr const char * Controls = "OrbitControls.js";
 constexpr const char * License = "license";
 
-/** Bytes of a point: distance from the one before, three places in its block, its thickness. */
-constexpr std::uint64_t LongestPoint = 5 + 3 + 5;
+/** Bytes of a point: distance from the one before, three places in its block, its thickness and importance. */
+constexpr std::uint64_t LongestPoint = 5 + 3 + 5 + 5;
 
 /** Bytes of a part: a run at each side of a face and one between. */
 constexpr std::uint64_t LongestPart = 10 * PartBlocks::DefaultBudget;
@@ -67,9 +69,22 @@ GetPlaceInBlock(const SheetPoints::Point & point, unsigned int axis, unsigned in
   return static_cast<char>(std::min(static_cast<std::uint64_t>(place * parts), parts - 1));
 }
 
+/** Smallest and largest importance of the points, both 0 where it was not found. */
+std::pair<std::uint64_t, std::uint64_t>
+FindImportances(const SheetPoints & points)
+{
+  std::pair<std::uint64_t, std::uint64_t> ends{ std::numeric_limits<std::uint64_t>::max(), 0 };
+  points.ForEachPoint([&](const SheetPoints::Point & point) {
+    ends.first = std::min(ends.first, point.sums.importance);
+    ends.second = std::max(ends.second, point.sums.importance);
+  });
+  return ends;
+}
+
 std::string
 EncodePoints(const SheetPoints & points)
 {
+  const bool    hasImportance = FindImportances(points).second > 0;
   const auto    blocks = points.GetNumberOfBlocks();
   std::string   bytes;
   std::uint64_t previous = 0;
@@ -82,6 +97,7 @@ EncodePoints(const SheetPoints & points)
       bytes.push_back(GetPlaceInBlock(point, axis, points.GetLevel()));
     }
     AddNumber(bytes, GetCode(point.sums));
+    hasImportance ? AddNumber(bytes, point.sums.importance) : void();
   });
   return bytes;
 }
@@ -130,6 +146,7 @@ Describe(const PageSheet &        shown,
   std::array<double, 3> shift{};
   std::transform(
     geometry.size.begin(), geometry.size.end(), shift.begin(), [](auto size) { return size > 1 ? 0.5 : 0.0; });
+  const auto                   importance = FindImportances(points);
   const nlohmann::ordered_json json{ { "points", points.GetNumberOfPoints() },
                                      { "blocks", points.GetNumberOfBlocks() },
                                      { "edge", std::uint64_t{ 1 } << points.GetLevel() },
@@ -143,6 +160,7 @@ Describe(const PageSheet &        shown,
                                      { "lengthUnit", shown.sheet->GetLengthUnit() },
                                      { "low", shown.colors.low },
                                      { "high", shown.colors.high },
+                                     { "importance", importance },
                                      { "colors", MakeColors() } };
   return json.dump();
 }

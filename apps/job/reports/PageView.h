@@ -31,8 +31,9 @@ HasView(const PageSheet & shown, const VolumeGeometry & geometry);
 /** Adds the points and the scripts of the view of a page, which shows them where the browser has WebGL. The bytes of
  * the points are, by z, y, x of their blocks: the increase of the block number; for blocks of several voxels a byte
  * for each axis, the mean position of the cells in the block in 256ths; the mean thickness and 2, or 0 when all
- * cells are unpaired, 1 when none is measured. Those of the part are runs of blocks, x fastest, with an equal share of
- * object: the share in 15ths, and 16 for each block after the first. Numbers are seven bits to a byte, low ones first.
+ * cells are unpaired, 1 when none is measured; the thickness of the largest importance, where it was found. Those of
+ * the part are runs of blocks, x fastest, with an equal share of object: the share in 15ths, and 16 for each block
+ * after the first. Numbers are seven bits to a byte, low ones first.
  * \param unit of the lengths, for a reader */
 void
 AddPageScripts(std::string & page, const PageSheet & shown, const VolumeGeometry & geometry, const std::string & unit);

@@ -49,6 +49,7 @@ SheetPoints::Sums::Add(const Sums & other)
   thickness += other.thickness;
   measured += other.measured;
   unpaired += other.unpaired;
+  importance = std::max(importance, other.importance);
 }
 
 SheetPoints::SheetPoints(const std::vector<std::uint64_t> & size, std::size_t budget)
@@ -240,6 +241,7 @@ SheetPoints::Save(NumberWriter & numbers) const
     numbers.Add(point.sums.thickness);
     numbers.Add(point.sums.measured);
     numbers.Add(point.sums.unpaired);
+    numbers.Add(point.sums.importance);
   });
 }
 
@@ -276,6 +278,7 @@ SheetPoints::Merge(NumberReader & numbers)
     sums.thickness = numbers.Get();
     sums.measured = numbers.Get();
     sums.unpaired = numbers.Get();
+    sums.importance = numbers.Get();
     this->AddAt(block, static_cast<unsigned int>(level), sums);
   }
 }
@@ -283,7 +286,7 @@ SheetPoints::Merge(NumberReader & numbers)
 std::uint64_t
 SheetPoints::GetMostNumbers() const
 {
-  constexpr std::uint64_t numbersPerPoint = 8;
+  constexpr std::uint64_t numbersPerPoint = 9;
   return 2 + numbersPerPoint * m_Budget;
 }
 

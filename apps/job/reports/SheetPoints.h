@@ -33,10 +33,11 @@ public:
   struct Sums
   {
     std::uint64_t                cells{ 0 };
-    std::array<std::uint64_t, 3> index{};        ///< sums of their indices
-    std::uint64_t                thickness{ 0 }; ///< sum over cells with a thickness, in a unit of the caller
-    std::uint64_t                measured{ 0 };  ///< cells with a thickness
-    std::uint64_t                unpaired{ 0 };  ///< measured ones of walls without a thickness
+    std::array<std::uint64_t, 3> index{};         ///< sums of their indices
+    std::uint64_t                thickness{ 0 };  ///< sum over cells with a thickness, in a unit of the caller
+    std::uint64_t                measured{ 0 };   ///< cells with a thickness
+    std::uint64_t                unpaired{ 0 };   ///< measured ones of walls without a thickness
+    std::uint64_t                importance{ 0 }; ///< the largest one, in this unit too
 
     void
     Add(const Sums & other);

@@ -57,6 +57,31 @@ SumCells(const itk::MedialVoxelCellRow & row, WordType cells)
   return sums;
 }
 
+/** The thickness up to which a cell is medial, in a unit; the last digits of 32 bits are rounded up. */
+std::uint64_t
+GetImportance(const float importance, const double lengthUnit)
+{
+  const double thickness =
+    static_cast<double>(importance) * (1.0 + 1e-6) / itk::MedialVoxelParameters::EpsilonFromThickness(1.0);
+  return static_cast<std::uint64_t>(thickness / lengthUnit);
+}
+
+/** Of some cells of a row, the largest one. */
+std::uint64_t
+FindImportance(const itk::MedialVoxelClassifiedTile & tile,
+               const itk::MedialVoxelCellRow &        row,
+               WordType                               cells,
+               const double                           lengthUnit)
+{
+  float             largest = 0.0F;
+  const std::size_t first = tile.box.OffsetOf(row.first);
+  for (; cells != 0; cells &= cells - 1)
+  {
+    largest = std::max(largest, (*tile.importance)[first + static_cast<std::size_t>(itk::MedialVoxelLowestBit(cells))]);
+  }
+  return GetImportance(largest, lengthUnit);
+}
+
 /** Calls function(cell, sums) for the cells of each row that are in one block of the level; cell is the first of them.
  */
 template <typename TFunction>
@@ -79,6 +104,7 @@ ForEachBlock(const itk::MedialVoxelClassifiedTile & tile,
       const WordType inBlock = rest & GetBlockMask(cell[0], first, level);
       rest &= ~inBlock;
       SheetPoints::Sums sums = SumCells(row, inBlock);
+      sums.importance = tile.importance != nullptr ? FindImportance(tile, row, inBlock, lengthUnit) : 0;
       for (WordType measured = row.measured & inBlock; measured != 0; measured &= measured - 1, ++wall)
       {
         if ((measured & (~measured + 1) & counting) != 0)

@@ -24,7 +24,8 @@ namespace medialvoxel
 class SheetSurvey : public TileSurvey
 {
 public:
-  /** \param lengthUnit of which the thickness of a cell is a multiple, in the units of the grid
+  /** \param lengthUnit of which the thickness of a cell, and the one of its importance, is a multiple, in the units of
+   * the grid
    * \param sample      of the cells whose thickness counts */
   SheetSurvey(const VolumeGeometry & geometry, double lengthUnit, const CellSample & sample = {});
 

@@ -113,6 +113,10 @@ JobRun::AddProduct(Product & product)
   {
     m_Objects->AddMesh(*links.mesh);
   }
+  if (links.cells != nullptr)
+  {
+    m_Objects->KeepCells(*links.cells);
+  }
   if (links.volume == nullptr)
   {
     return;

@@ -57,7 +57,10 @@ LabelMapRun::Run(PieceLoop & loop, PieceEngine & engine, const SliceRange & piec
 {
   const itk::MedialVoxelBox region = engine.GetRegion({ piece });
   m_Union.Begin(region, this->MakeValues(region, engine));
-  engine.SendTilesTo([this](const itk::MedialVoxelTileResult & tile) { m_Union.TakeTile(tile); });
+  engine.SendTilesTo([this](const itk::MedialVoxelTileResult & tile) {
+    m_Union.TakeTile(tile);
+    m_Cells ? m_Cells->TakeTile(tile) : void();
+  });
   if (m_Mesh)
   {
     m_Mesh->SetObjectLabels(m_Map.GetTable().GetValues());
@@ -71,11 +74,14 @@ LabelMapRun::Run(PieceLoop & loop, PieceEngine & engine, const SliceRange & piec
     {
       m_Mesh->BeginPass(pass);
     }
+    m_Cells ? m_Cells->BeginPass(region, pass) : void();
     sums += loop.Run(engine, piece, {}, writer);
     m_Union.FinishPass();
+    m_Cells ? m_Cells->FinishPass() : void();
     // The window shows the objects of this pass.
     engine.DropWindow();
   }
+  m_Cells ? m_Cells->WriteUnion(region, m_Union) : void();
   m_Union.Finish();
   m_SharedCells += m_Union.GetSums().shared;
   for (const Volume & volume : m_Volumes)
@@ -111,31 +117,17 @@ LabelMapRun::Write(const Volume & volume, std::uint64_t firstVoxel) const
 {
   if (volume.request.filler == VolumeFiller::Objects)
   {
-    this->WriteObjects(volume, firstVoxel);
+    WriteObjectValues(m_Union.GetObjects(),
+                      m_Map.GetTable(),
+                      volume.request.layout.pixelType,
+                      m_Geometry.GetVoxelsPerSlice(),
+                      firstVoxel,
+                      *volume.output);
     return;
   }
   const void * const voxels = this->IsOfLabels(volume) ? static_cast<const void *>(m_Union.GetLabels().data())
                                                        : static_cast<const void *>(volume.voxels.data());
   volume.output->Write(firstVoxel, m_Union.GetLabels().size(), voxels);
-}
-
-/** Slice by slice. */
-void
-LabelMapRun::WriteObjects(const Volume & volume, std::uint64_t firstVoxel) const
-{
-  DispatchPixelType(volume.request.layout.pixelType, [&](auto zero) {
-    using ValueType = decltype(zero);
-    const auto & objects = m_Union.GetObjects();
-    const auto   valueOf = [this](const itk::MedialVoxelObjectNumber object) {
-      return object > 0 ? static_cast<ValueType>(m_Map.GetTable().GetValue(object)) : ValueType{};
-    };
-    std::vector<ValueType> slice(m_Geometry.GetVoxelsPerSlice());
-    for (std::size_t voxel = 0; voxel < objects.size(); voxel += slice.size())
-    {
-      std::transform(objects.data() + voxel, objects.data() + voxel + slice.size(), slice.begin(), valueOf);
-      volume.output->Write(firstVoxel + voxel, slice.size(), slice.data());
-    }
-  });
 }
 
 Json

@@ -4,6 +4,7 @@
 #define medialvoxelLabelMapRun_h
 
 #include "ObjectSurvey.h"
+#include "PassCells.h"
 #include "PieceLoop.h"
 #include "SheetMesh.h"
 
@@ -48,6 +49,13 @@ public:
   void
   AddVolume(const VolumeRequest & request, VoxelOutput & volume);
 
+  /** Keep the cells of all passes, and what they found together, instead of volumes for the labels and objects. */
+  void
+  KeepCells(PassCells & cells)
+  {
+    m_Cells = &cells;
+  }
+
   /** A mesh that sees the tiles of the engine, and is to tell the objects apart. */
   void
   AddMesh(SheetMesh & mesh);
@@ -86,7 +94,7 @@ private:
   bool
   IsOfLabels(const Volume & volume) const
   {
-    return &volume == &m_Volumes.front();
+    return volume.request.role == "labels";
   }
 
   std::vector<itk::MedialVoxelObjectUnion::Values>
@@ -95,15 +103,13 @@ private:
   void
   Write(const Volume & volume, std::uint64_t firstVoxel) const;
 
-  void
-  WriteObjects(const Volume & volume, std::uint64_t firstVoxel) const;
-
   itk::MedialVoxelObjectMap & m_Map;
   VolumeGeometry              m_Geometry;
   itk::MedialVoxelObjectUnion m_Union;
   ObjectSurvey                m_Survey;
-  std::vector<Volume>         m_Volumes; ///< the labels first
+  std::vector<Volume>         m_Volumes;
   SheetMesh *                 m_Mesh{ nullptr };
+  PassCells *                 m_Cells{ nullptr }; ///< for the topology
   std::uint64_t               m_SharedCells{ 0 };
 };
 

@@ -8,7 +8,9 @@ const MedialVoxelScene = (() => {
   const VERTEX = `
     attribute float thickness;
     attribute float isKnown;
+    attribute float importance;
     uniform float pointSize;
+    varying float weight;
     varying float wall;
     varying float known;
     varying float light;
@@ -23,6 +25,7 @@ const MedialVoxelScene = (() => {
       facing = dot(across, across) > 0.0 ? abs(dot(normalize(across), normalize(seen.xyz))) : 1.0;
       wall = thickness;
       known = isKnown;
+      weight = importance;
       depth = -seen.z;
       place = position;
       gl_Position = projectionMatrix * seen;
@@ -37,6 +40,8 @@ const MedialVoxelScene = (() => {
     uniform float pixelRatio;
     uniform vec4 cut;
     uniform float nearest;
+    uniform float least;
+    varying float weight;
     varying float wall;
     varying float known;
     varying float light;
@@ -46,7 +51,7 @@ const MedialVoxelScene = (() => {
       #ifdef ROUND
       if (length(gl_PointCoord - 0.5) > 0.5) discard;
       #endif
-      if (depth < nearest || dot(cut.xyz, place) > cut.w) discard;
+      if (depth < nearest || weight < least - 0.5 || dot(cut.xyz, place) > cut.w) discard;
       float share = (wall - range.x) / (range.y - range.x);
       vec3 color = texture2D(colors, vec2(clamp(share, 0.002, 0.998), 0.5)).rgb;
       if (isByLimits) color = wall < limits.x ? classes[0] : wall > limits.y ? classes[2] : classes[1];
@@ -81,13 +86,14 @@ const MedialVoxelScene = (() => {
     return texture;
   }
 
-  function makeGeometry({ positions, normals, thickness, isKnown }, { index }) {
+  function makeGeometry({ positions, normals, thickness, isKnown, importance }, { index }) {
     const geometry = new THREE.BufferGeometry();
     const set = (name, values, size) => values && geometry.setAttribute(name, new THREE.BufferAttribute(values, size));
     set("position", positions, 3);
     set("normal", normals, 3);
     set("thickness", thickness, 1);
     set("isKnown", isKnown, 1);
+    set("importance", importance, 1);
     geometry.setIndex(new THREE.BufferAttribute(index, 1));
     return geometry;
   }
@@ -179,6 +185,7 @@ const MedialVoxelScene = (() => {
       pixelRatio: { value: 1 },
       cut: { value: new THREE.Vector4(0, 0, 0, FAR_AWAY) },
       nearest: { value: 0 },
+      least: { value: 0 },
       pointSize: { value: 1 },
     };
     const makeMaterial = (options) =>
@@ -301,7 +308,8 @@ const MedialVoxelScene = (() => {
     function pick(x, y) {
       const caster = new THREE.Raycaster();
       caster.setFromCamera(new THREE.Vector2(x, y), camera);
-      const hit = caster.intersectObject(surface).find(({ point }) => isShown(point));
+      const isImportant = ({ face }) => sheet.importance[face.a] >= uniforms.least.value;
+      const hit = caster.intersectObject(surface).find((found) => isShown(found.point) && isImportant(found));
       return hit ? { point: hit.point, thickness: sheet.thickness[hit.face.a], isKnown: sheet.isKnown[hit.face.a] > 0 } : null;
     }
 
@@ -320,6 +328,7 @@ const MedialVoxelScene = (() => {
       camera, marks, resize, render, setCut, pick, placeTicks, choosePieces, showPart, fit, isInMainPiece,
       getRadius: () => radius,
       hideBefore: (depth) => (uniforms.nearest.value = depth),
+      hideBelow: (importance) => (uniforms.least.value = importance),
       colorByLimits: (is) => (uniforms.isByLimits.value = is),
     };
   }

@@ -36,7 +36,7 @@ const MedialVoxelSheet = (() => {
     };
   }
 
-  // Blocks, indices of their points in the volume, thickness, and whether it is known.
+  // Blocks, indices of their points in the volume, thickness, whether it is known, and the thickness of the importance.
   function decodePoints(bytes, data) {
     const reader = makeReader(bytes);
     const number = data.points;
@@ -49,6 +49,7 @@ const MedialVoxelSheet = (() => {
       thickness: new Float32Array(number),
       isKnown: new Float32Array(number),
       isMeasured: new Uint8Array(number),
+      importance: new Float32Array(number),
     };
     let key = 0;
     for (let point = 0; point < number; ++point) {
@@ -64,6 +65,7 @@ const MedialVoxelSheet = (() => {
       points.isMeasured[point] = code !== NOT_MEASURED;
       points.isKnown[point] = code >= FIRST_LENGTH;
       points.thickness[point] = code >= FIRST_LENGTH ? (code - FIRST_LENGTH) * data.lengthUnit : 0;
+      points.importance[point] = data.importance[1] > 0 ? reader.number() : 0;
     }
     return points;
   }
@@ -267,6 +269,7 @@ const MedialVoxelSheet = (() => {
       singles: putMainFirst(findSingles(points, faces), 1, isMain),
       thickness: points.thickness,
       isKnown: points.isKnown,
+      importance: points.importance,
     };
   }
 

@@ -198,8 +198,21 @@
       ask();
     }
 
+    // The sheet of a larger thickness: what is less important goes.
+    function chooseImportance() {
+      const least = Number(element("importance").value);
+      scene.hideBelow(least);
+      element("importance-text").textContent = format(least * data.lengthUnit) + inUnits;
+      section.dataset.importance = format(least * data.lengthUnit);
+      ask();
+    }
+
     // Controls of what this sheet has.
     function offerChoices() {
+      const [least, most] = data.importance;
+      element("importance-label").hidden = least === most;
+      Object.assign(element("importance"), { min: least, max: most, value: least });
+      chooseImportance();
       const others = 1 - sheet.isMain.reduce((sum, is) => sum + is, 0) / sheet.isMain.length;
       element("color-label").hidden = !limits.below && !limits.above;
       element("pieces-label").hidden = others === 0;
@@ -378,6 +391,7 @@
     element("open").addEventListener("change", ask);
     element("surface").addEventListener("change", showPart);
     element("color").addEventListener("change", color);
+    element("importance").addEventListener("input", chooseImportance);
     element("pieces").addEventListener("change", () => {
       choosePieces();
       showWhole();
