@@ -52,7 +52,8 @@ def read(path, kind):
 
 
 def measure(arguments, name, scratch):
-    labels, report, importance = (scratch / file for file in ("labels.mha", "report.json", "importance.mha"))
+    names = ("labels.mha", "report.json", "importance.mha", "thresholds.mha")
+    labels, report, importance, thresholds = (scratch / name for name in names)
     volume, *options = find_volume(arguments, name, scratch)
     command = [common.find_program(arguments.build, "medialvoxel"), "extract", volume, labels, *options, *OPTIONS]
     command += ["--overwrite", "--quiet", "--threads", 1]
@@ -71,6 +72,9 @@ def measure(arguments, name, scratch):
     median = {way: row[way]["cpu_seconds"]["median"] for way in WAYS}
     row["ratio"] = round(median["labels and importance"] / median["labels"], 3)
     lengths = read(importance, "<f4")
+    run(*automatic, "--importance-threshold", thresholds)
+    chosen = (lengths > 0) & (lengths >= read(thresholds, "<f4"))
+    row["automatic"] = {"medial_cells": int(chosen.sum()), "different_cells": int(((read(labels, np.uint8) >= 2) != chosen).sum())}
     row["thicknesses"] = {}
     for thickness in THICKNESSES:
         seconds = run("--thickness", thickness)["cpu_seconds"]
@@ -79,7 +83,7 @@ def measure(arguments, name, scratch):
         row["thicknesses"][thickness] = {
             "medial_cells": int(medial.sum()), "different_cells": int((medial != chosen).sum()), "cpu_seconds": round(seconds, 3)
         }  # fmt: skip
-    print(name, median, row["ratio"], {key: value["different_cells"] for key, value in row["thicknesses"].items()}, flush=True)
+    print(name, median, row["ratio"], row["automatic"], {key: value["different_cells"] for key, value in row["thicknesses"].items()}, flush=True)
     return row
 
 

@@ -47,6 +47,9 @@ struct MedialVoxel_EXPORT MedialVoxelSheetExtraction
   /** Find the geodesic distance of the pair of each cell. */
   bool findsImportance{ false };
 
+  /** Find the thresholds that it is compared with, too. */
+  bool findsImportanceThreshold{ false };
+
   /** Measure walls on the gray values of the voxels; unset: on the object. */
   std::optional<GrayRange> grayRange;
 

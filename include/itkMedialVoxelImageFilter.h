@@ -213,6 +213,21 @@ public:
     return dynamic_cast<ThicknessImageType *>(this->ProcessObject::GetOutput(ImportanceName));
   }
 
+  /** Produce the thresholds of the importance, too. Default off. */
+  virtual void
+  SetGenerateImportanceThreshold(bool generate);
+  itkGetConstMacro(GenerateImportanceThreshold, bool);
+  itkBooleanMacro(GenerateImportanceThreshold);
+
+  /** What the importance of a cell is compared with, in its units: medial cells have an importance of at least their
+   * threshold, all others a lower one; zero where the importance is zero. Null unless GenerateImportanceThreshold is
+   * on. */
+  ThicknessImageType *
+  GetImportanceThresholdOutput()
+  {
+    return dynamic_cast<ThicknessImageType *>(this->ProcessObject::GetOutput(ImportanceThresholdName));
+  }
+
   using Superclass::MakeOutput;
   ProcessObject::DataObjectPointer
   MakeOutput(const ProcessObject::DataObjectIdentifierType & name) override;
@@ -256,6 +271,7 @@ private:
   static constexpr const char * ThicknessName = "Thickness";
   static constexpr const char * UncertaintyName = "Uncertainty";
   static constexpr const char * ImportanceName = "Importance";
+  static constexpr const char * ImportanceThresholdName = "ImportanceThreshold";
 
   /** Create a named output when it is switched on, remove it when it is switched off. */
   void
@@ -274,6 +290,7 @@ private:
   bool         m_GenerateThickness{ false };
   bool         m_GenerateUncertainty{ false };
   bool         m_GenerateImportance{ false };
+  bool         m_GenerateImportanceThreshold{ false };
 
   /** Observers see each tile with its boundary points, and must outlive the updates. Their memory counts for
    * WorkingMemoryLimit. */

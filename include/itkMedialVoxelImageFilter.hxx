@@ -52,6 +52,13 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::SetGenerateImportance(const b
 
 template <typename TInputImage, typename TOutputImage>
 void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::SetGenerateImportanceThreshold(const bool generate)
+{
+  this->SwitchOutput(m_GenerateImportanceThreshold, generate, ImportanceThresholdName);
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
 MedialVoxelImageFilter<TInputImage, TOutputImage>::SwitchOutput(bool & isOn, const bool generate, const char * name)
 {
   if (generate == isOn)
@@ -78,7 +85,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::MakeOutput(const ProcessObjec
   {
     return VectorImageType::New().GetPointer();
   }
-  if (name == ThicknessName || name == UncertaintyName || name == ImportanceName)
+  if (name == ThicknessName || name == UncertaintyName || name == ImportanceName || name == ImportanceThresholdName)
   {
     return ThicknessImageType::New().GetPointer();
   }
@@ -131,6 +138,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GenerateOutputInformation()
   {
     this->GetImportanceOutput()->SetOrigin(output->GetOrigin());
   }
+  if (m_GenerateImportanceThreshold)
+  {
+    this->GetImportanceThresholdOutput()->SetOrigin(output->GetOrigin());
+  }
 }
 
 /** Cells depend on others far away, and the label comes after those around it. */
@@ -153,7 +164,8 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GetTask(const MedialVoxelGrid
   extraction.parameters = this->GetParameters(grid, this->GetNeededMaximum());
   extraction.findsLevels = m_SameTopology;
   extraction.measuresThickness = m_GenerateThickness || m_GenerateUncertainty;
-  extraction.findsImportance = m_GenerateImportance;
+  extraction.findsImportance = m_GenerateImportance || m_GenerateImportanceThreshold;
+  extraction.findsImportanceThreshold = m_GenerateImportanceThreshold;
   if (m_GenerateVectorDistance)
   {
     extraction.vectorBoundary = m_VectorDistanceBoundary;
@@ -193,6 +205,11 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::TakeTile(const MedialVoxelTil
   {
     ThicknessImageType & importance = *this->GetImportanceOutput();
     tile.WriteImportance(this->FirstPixelOf(importance, tile.box), this->StridesOf(importance));
+  }
+  if (m_GenerateImportanceThreshold)
+  {
+    ThicknessImageType & threshold = *this->GetImportanceThresholdOutput();
+    tile.WriteImportanceThreshold(this->FirstPixelOf(threshold, tile.box), this->StridesOf(threshold));
   }
   if (m_GenerateVectorDistance)
   {
@@ -245,6 +262,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream & os, 
   os << indent << "GenerateThickness: " << (m_GenerateThickness ? "On" : "Off") << std::endl;
   os << indent << "GenerateUncertainty: " << (m_GenerateUncertainty ? "On" : "Off") << std::endl;
   os << indent << "GenerateImportance: " << (m_GenerateImportance ? "On" : "Off") << std::endl;
+  os << indent << "GenerateImportanceThreshold: " << (m_GenerateImportanceThreshold ? "On" : "Off") << std::endl;
   const MedialVoxelScan scan = this->GetScanResult().scan.value_or(MedialVoxelScan{});
   os << indent << "Scan: background " << scan.background << ", material " << scan.material << ", blur " << scan.blur
      << ", noise " << scan.noise << "; " << this->GetScanResult().reason << std::endl;

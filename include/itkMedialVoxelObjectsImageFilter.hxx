@@ -229,7 +229,7 @@ MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() 
   {
     itkExceptionMacro("The objects of a label map are not smoothed; Smoothing must be Off.");
   }
-  if (this->GetGenerateVectorDistance() || this->GetGenerateImportance())
+  if (this->GetGenerateVectorDistance() || this->GetGenerateImportance() || this->GetGenerateImportanceThreshold())
   {
     itkExceptionMacro("Vectors and importance are for one object; set ObjectValue of MedialVoxelImageFilter instead.");
   }

@@ -158,6 +158,9 @@ public:
   /** Geodesic distance of the pair of each cell, x fastest; 0 where it is trivial. */
   const std::vector<float> * importance{ nullptr };
 
+  /** The thresholds that it is compared with, 0 where it is 0. */
+  const std::vector<float> * importanceThresholds{ nullptr };
+
   /** The cells whose walls were measured, and the walls. */
   const std::vector<MedialVoxelCellRow> * rows{ nullptr };
   const std::vector<MedialVoxelWall> *    walls{ nullptr };
@@ -212,6 +215,10 @@ public:
   /** 0 at trivial cells and where no corner is object. */
   void
   WriteImportance(float * first, const MedialVoxelStrides & strides) const;
+
+  /** 0 where the importance is 0. */
+  void
+  WriteImportanceThreshold(float * first, const MedialVoxelStrides & strides) const;
 
   /** What MedialVoxelSameTopology needs to know of each cell and the voxel with its index: see MedialVoxelTopologyCell.
    */

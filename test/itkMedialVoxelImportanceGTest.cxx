@@ -17,6 +17,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -156,6 +157,47 @@ TEST(Importance, AutomaticThicknessHasItUpToItsMaximum)
   EXPECT_TRUE(AreEqual(PixelsOf(filter->GetImportanceOutput()), FindImportance(subject)));
 }
 
+TEST(Importance, ThresholdsOfCellsGiveTheSheet)
+{
+  for (const Subject & subject : { Subjects()[0], Subjects()[1], Subjects()[3] })
+  {
+    for (const bool isAutomatic : { true, false })
+    {
+      SCOPED_TRACE(subject.name + (isAutomatic ? ", automatic" : ""));
+      Values thresholds;
+      for (const unsigned int threads : { 1u, 3u })
+      {
+        auto filter = MakeFilter<3>(subject);
+        filter->GenerateImportanceThresholdOn();
+        filter->SetNumberOfWorkUnits(threads);
+        if (isAutomatic)
+        {
+          filter->SetThicknessMode(itk::MedialVoxelThicknessMode::Automatic);
+          filter->SetMaximumThickness(subject.largest);
+          filter->SetSmoothing(itk::MedialVoxelSmoothing::Off);
+        }
+        filter->UpdateLargestPossibleRegion();
+        const auto   labels = PixelsOf(filter->GetOutput());
+        const Values importance = PixelsOf(filter->GetImportanceOutput());
+        const Values own = PixelsOf(filter->GetImportanceThresholdOutput());
+        EXPECT_EQ(filter->GetImportanceThresholdOutput()->GetOrigin(), filter->GetOutput()->GetOrigin());
+        for (std::size_t i = 0; i < labels.size(); ++i)
+        {
+          ASSERT_EQ(own[i] > 0.0F, importance[i] > 0.0F) << i;
+          ASSERT_EQ(own[i] > 0.0F && importance[i] >= own[i], labels[i] >= 2) << i;
+        }
+        EXPECT_TRUE(threads == 1 || AreEqual(own, thresholds));
+        thresholds = own;
+      }
+      const auto [least, most] = std::minmax_element(thresholds.begin(), thresholds.end());
+      EXPECT_EQ(*least, 0.0F);
+      EXPECT_LE(*most, std::nextafter(static_cast<float>(EpsilonOf(subject.largest)), 1e9F));
+      const std::set<float> all(thresholds.begin(), thresholds.end());
+      EXPECT_TRUE(isAutomatic ? all.size() > 10 : all.size() <= 3) << all.size();
+    }
+  }
+}
+
 TEST(Importance, DivisionAndThreadsDoNotChangeIt)
 {
   for (const Subject & subject : { Subjects()[0], Subjects()[1], Subjects()[3] })
@@ -186,6 +228,7 @@ TEST(Importance, ComesAndGoes)
   EXPECT_EQ(filter->GetImportanceOutput()->GetOrigin(), filter->GetOutput()->GetOrigin());
   filter->GenerateImportanceOff();
   EXPECT_EQ(filter->GetImportanceOutput(), nullptr);
+  EXPECT_EQ(filter->GetImportanceThresholdOutput(), nullptr);
 }
 
 TEST(Importance, IsOfOneObject)

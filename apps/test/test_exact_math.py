@@ -33,7 +33,7 @@ FOLDERS = ("include", "src", "shell", "apps/job", "apps/medialvoxel", "python/na
 OBJECTS = ("src", "apps/job", "apps/medialvoxel", "python")
 
 MAPS = (
-    "--thickness-map t.mha --uncertainty-map u.mha --vectors v.mha --distance d.mha --local-thickness o.mha --importance i.mha --walls w.mha --wall-table w.csv --seam-table s.csv "
+    "--thickness-map t.mha --uncertainty-map u.mha --vectors v.mha --distance d.mha --local-thickness o.mha --importance i.mha --importance-threshold h.mha --walls w.mha --wall-table w.csv --seam-table s.csv "
     "--thin-below 2.5 --thick-above 6 --places p.csv --report r.json --html p.html --preview p.png"
 ).split()
 RUNS = {

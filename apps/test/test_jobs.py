@@ -137,7 +137,7 @@ class SmallJobTest(JobTestCase):
             "--color-range": "1,3",
             "--compress": "none", "--spacing": "1,2,3", "--resample": 0.75, "--resolution": 1,
             "--slices": "2-6", "--thin-below": "2,,3", "--thick-above": 2, "--places": "p.csv",
-            "--fail-if-thin": None, "--local-thickness": "lt.mha", "--largest-ball": 9, "--importance": "i.mha",
+            "--fail-if-thin": None, "--local-thickness": "lt.mha", "--largest-ball": 9, "--importance": "i.mha", "--importance-threshold": "h.mha",
             "--local-thickness-method": "sphere", "--same-topology": None,
         }  # fmt: skip
         of_raw = {word for word in raw.split() if word.startswith("--")}

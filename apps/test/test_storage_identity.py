@@ -79,7 +79,7 @@ class StorageIdentityTest(StorageTestCase):
         volume.spacing = SPACING
         gray = ("--lower", self.LOWER)
         everything = (
-            "--vectors v.mha --distance d.mha --thickness-map t.mha --uncertainty-map u.mha --importance i.mha --walls w.mha --wall-table w.csv --seam-table s.csv --sub-voxel "
+            "--vectors v.mha --distance d.mha --thickness-map t.mha --uncertainty-map u.mha --importance i.mha --importance-threshold h.mha --walls w.mha --wall-table w.csv --seam-table s.csv --sub-voxel "
             "--mesh m.ply --places p.csv --thin-below 3 --preview p.png --report r.json"
         ).split()
         self.check(

@@ -3,6 +3,9 @@
 #include "itkMedialVoxelImportance.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace itk
@@ -29,6 +32,8 @@ GetTrivialLength(const MedialVoxelGrid & grid)
 
 MedialVoxelImportance::MedialVoxelImportance(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
   : m_Grid(grid)
+  , m_Parameters(parameters)
+  , m_Threshold(grid, parameters)
   , m_Cap(GetCap(parameters))
   , m_Pairs(grid, GetTrivialLength(grid))
   , m_Separation(grid)
@@ -72,6 +77,53 @@ MedialVoxelImportance::Compute(const MedialVoxelWindow &   window,
     }
   }
   return {};
+}
+
+void
+MedialVoxelImportance::FindThresholds(const std::vector<MedialVoxelInscribedBall> & balls,
+                                      const MedialVoxelFeatures &                   features,
+                                      const MedialVoxelBox &                        tile,
+                                      const std::vector<std::uint8_t> &             labels,
+                                      const std::vector<float> &                    importance,
+                                      Workspace &                                   workspace,
+                                      std::vector<float> &                          thresholds) const
+{
+  const bool isAutomatic = m_Parameters.mode == MedialVoxelThicknessMode::Automatic;
+  auto &     local = workspace.m_Threshold;
+  const auto forEachCell = [&](const auto & function) {
+    std::size_t      at = 0;
+    MedialVoxelIndex cell;
+    for (cell[2] = tile.lower[2]; cell[2] < tile.upper[2]; ++cell[2])
+    {
+      for (cell[1] = tile.lower[1]; cell[1] < tile.upper[1]; ++cell[1])
+      {
+        for (cell[0] = tile.lower[0]; cell[0] < tile.upper[0]; ++cell[0], ++at)
+        {
+          if (importance[at] > 0.0F)
+          {
+            function(cell, at);
+          }
+        }
+      }
+    }
+  };
+  if (isAutomatic)
+  {
+    local.cells.Reshape(tile);
+    forEachCell([&](const MedialVoxelIndex & cell, std::size_t) { local.cells.Set(cell); });
+    local.cells.Rank();
+    m_Threshold.Compute(balls, features, local);
+  }
+  thresholds.assign(importance.size(), 0.0F);
+  auto radius = local.radii.begin();
+  forEachCell([&](const MedialVoxelIndex &, const std::size_t at) {
+    thresholds[at] = static_cast<float>(isAutomatic ? m_Threshold.EpsilonOf(*radius++) : m_Parameters.epsilon);
+    if (labels[at] < MedialVoxelLabel::MedialByBound && importance[at] >= thresholds[at])
+    {
+      thresholds[at] = std::nextafter(importance[at], std::numeric_limits<float>::infinity());
+    }
+    assert(labels[at] < MedialVoxelLabel::MedialByBound || importance[at] >= thresholds[at]);
+  });
 }
 
 /** The importance of cells that their difference decides; the other ones become queries. */

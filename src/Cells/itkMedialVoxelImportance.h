@@ -6,6 +6,7 @@
 #include "itkMedialVoxelBoundaryDistances.h"
 #include "itkMedialVoxelBoundaryGraph.h"
 #include "itkMedialVoxelCellPairs.h"
+#include "itkMedialVoxelLocalThreshold.h"
 #include "itkMedialVoxelPairSeparation.h"
 #include "itkMedialVoxelParameters.h"
 #include "itkMedialVoxelPathSearch.h"
@@ -45,10 +46,14 @@ public:
     MedialVoxelPathSearch::Workspace        m_Search;
     MedialVoxelBoundaryGraph                m_Graph;
     MedialVoxelBoundaryDistances            m_Distances;
+    MedialVoxelLocalThreshold::Workspace    m_Threshold;
   };
 
   /** Memory of a workspace for each voxel of a tile when an eighth of the cells wait. */
   static constexpr std::uint64_t BytesPerVoxel = sizeof(MedialVoxelSeparationQuery) / 8;
+
+  /** The same for thresholds, with them. */
+  static constexpr std::uint64_t ThresholdBytesPerVoxel = sizeof(float) + sizeof(double) / 8;
 
   /** Longer distances have the cap as importance: pi / 2 times the largest thickness of the parameters. */
   MedialVoxelImportance(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
@@ -68,6 +73,23 @@ public:
           Workspace &                 workspace,
           std::vector<float> &        importance) const;
 
+  /** Find the thresholds of the cells that have an importance. The medial ones have an importance of at least their
+   * threshold, all others a lower one: a threshold that rounding would make equal to it is the next larger number.
+   *
+   * \param balls       all that cover one of the cells, for the automatic thickness
+   * \param features    as for Compute()
+   * \param labels      of the cells of the tile, x fastest
+   * \param importance  of Compute()
+   * \param thresholds  replaced, x fastest, in physical units; 0 where the importance is 0 */
+  void
+  FindThresholds(const std::vector<MedialVoxelInscribedBall> & balls,
+                 const MedialVoxelFeatures &                   features,
+                 const MedialVoxelBox &                        tile,
+                 const std::vector<std::uint8_t> &             labels,
+                 const std::vector<float> &                    importance,
+                 Workspace &                                   workspace,
+                 std::vector<float> &                          thresholds) const;
+
 private:
   void
   AddCells(const MedialVoxelFeatures & features,
@@ -80,6 +102,8 @@ private:
   FindLength(const MedialVoxelBits & boundary, const MedialVoxelSeparationQuery & query, Workspace & workspace) const;
 
   MedialVoxelGrid           m_Grid;
+  MedialVoxelParameters     m_Parameters;
+  MedialVoxelLocalThreshold m_Threshold;
   double                    m_Cap;
   MedialVoxelCellPairs      m_Pairs;
   MedialVoxelPairSeparation m_Separation;

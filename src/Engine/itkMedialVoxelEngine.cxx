@@ -32,6 +32,7 @@ GetSettingsOf(const MedialVoxelGrid & grid, const MedialVoxelSheetExtraction & e
   if (extraction.findsImportance)
   {
     settings.bytesPerVoxel += MedialVoxelImportance::BytesPerVoxel + sizeof(float);
+    settings.bytesPerVoxel += extraction.findsImportanceThreshold ? MedialVoxelImportance::ThresholdBytesPerVoxel : 0;
   }
   if (extraction.KeepsRows())
   {

@@ -34,6 +34,7 @@ struct MedialVoxelExtractionTask::TileWorkspace : public Workspace
   MedialVoxelGrayThickness::Workspace    fits;
   MedialVoxelImportance::Workspace       paths;
   std::vector<float>                     importance;
+  std::vector<float>                     thresholds;
 
   /** Of each observer. */
   std::vector<std::unique_ptr<MedialVoxelTileObserver::Workspace>> observers;
@@ -287,6 +288,17 @@ MedialVoxelExtractionTask::HandOver(const Tile & tile, MedialVoxelTileResult & r
   if (m_Importance)
   {
     result.importance = &workspace.importance;
+  }
+  if (m_Settings.findsImportanceThreshold)
+  {
+    m_Importance->FindThresholds(workspace.classifier.joint.GetSurvey().balls,
+                                 workspace.features,
+                                 tile.box,
+                                 workspace.labels,
+                                 workspace.importance,
+                                 workspace.paths,
+                                 workspace.thresholds);
+    result.importanceThresholds = &workspace.thresholds;
   }
   if (m_Settings.measuresThickness)
   {

@@ -76,6 +76,12 @@ MedialVoxelTileResult::WriteImportance(float * const first, const MedialVoxelStr
 }
 
 void
+MedialVoxelTileResult::WriteImportanceThreshold(float * const first, const MedialVoxelStrides & strides) const
+{
+  this->WriteValues(importanceThresholds, first, strides);
+}
+
+void
 MedialVoxelTileResult::WriteTopologyCells(std::uint16_t * const first, const MedialVoxelStrides & strides) const
 {
   std::size_t source = 0;

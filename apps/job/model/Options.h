@@ -154,13 +154,14 @@ struct ExtractOptions : JobOptions
 
   std::string                vectorFile; ///< vectors to the nearest boundary point, float32
   itk::MedialVoxelBoundary   vectorBoundary{ itk::MedialVoxelBoundary::Object };
-  std::string                thicknessFile;      ///< thickness at medial cells, float32
-  std::string                uncertaintyFile;    ///< of the thickness at medial cells, float32
-  std::string                importanceFile;     ///< geodesic distance of the pair of each cell, float32
-  std::string                wallsFile;          ///< number of the wall of each cell, uint32
-  std::string                wallTableFile;      ///< these walls, comma-separated values
-  std::string                seamTableFile;      ///< where they meet, comma-separated values
-  std::string                localThicknessFile; ///< local thickness of the object voxels, float32
+  std::string                thicknessFile;           ///< thickness at medial cells, float32
+  std::string                uncertaintyFile;         ///< of the thickness at medial cells, float32
+  std::string                importanceFile;          ///< geodesic distance of the pair of each cell, float32
+  std::string                importanceThresholdFile; ///< what it is compared with, float32
+  std::string                wallsFile;               ///< number of the wall of each cell, uint32
+  std::string                wallTableFile;           ///< these walls, comma-separated values
+  std::string                seamTableFile;           ///< where they meet, comma-separated values
+  std::string                localThicknessFile;      ///< local thickness of the object voxels, float32
   LocalThicknessMethod       localThicknessMethod{ LocalThicknessMethod::Wall };
   std::optional<double>      largestBall; ///< largest of them, > 0; unset: 32 voxels of the largest spacing
   std::optional<PlaceLimits> thinBelow;   ///< places with thinner walls are listed; not with labels

@@ -93,6 +93,10 @@ constexpr VolumeKind Importances{ Write<&Result::WriteImportance>,
                                   Filler::Extraction,
                                   true,
                                   GetLayout<ThicknessLayout> };
+constexpr VolumeKind ImportanceThresholds{ Write<&Result::WriteImportanceThreshold>,
+                                           Filler::Extraction,
+                                           true,
+                                           GetLayout<ThicknessLayout> };
 constexpr VolumeKind LocalThicknesses{ Write<&Result::WriteLocalThickness>,
                                        Filler::LocalThickness,
                                        false,
@@ -127,6 +131,7 @@ ListOutputKinds(const ExtractOptions &)
     { "thickness_map", &Options::thicknessFile, Thicknesses },
     { "uncertainty_map", &Options::uncertaintyFile, Uncertainties },
     { "importance", &Options::importanceFile, Importances },
+    { "importance_threshold", &Options::importanceThresholdFile, ImportanceThresholds },
     { "walls", &Options::wallsFile, WallNumbers, NoWalls },
     { "wall_table", &Options::wallTableFile, {}, NoWalls, { ".csv" }, "table of walls" },
     { "seam_table", &Options::seamTableFile, {}, NoWalls, { ".csv" }, "table of seams" },

@@ -77,6 +77,13 @@ AddMaps(std::vector<OptionRow> & rows)
       "between the two points that decide a cell; at most pi / 2 times the largest thickness; 0 at trivial cells. "
       "Values from pi / 2 times a thickness on are the medial cells for that thickness. Not with --labels.")
     .Slicer({ Outputs, "importance", "Importance", "", SlicerOutput("scalar"), "output" });
+  AddRow(rows, "--importance-threshold", "FILE", File(&ExtractOptions::importanceThresholdFile))
+    .OfJobs(Extractions, Walls)
+    .Hidden()
+    .Help(
+      "What the importance of each cell is compared with",
+      "32-bit real, on the grid of the labels, in units of the spacing: medial cells have an importance of at least "
+      "their threshold, all others a lower one; 0 where the importance is 0. Not with --labels.");
   AddRow(rows, "--local-thickness", "FILE", File(&ExtractOptions::localThicknessFile))
     .OfJobs(Extractions, Walls)
     .Help("Thickness at each object voxel",

@@ -164,7 +164,8 @@ ListTasks(const ExtractOptions & options, const VolumeHeader & header)
   extraction.parameters = GetParameters(options, grid);
   extraction.measuresThickness = MeasuresWalls(options);
   extraction.findsLevels = options.sameTopology;
-  extraction.findsImportance = !options.importanceFile.empty();
+  extraction.findsImportanceThreshold = !options.importanceThresholdFile.empty();
+  extraction.findsImportance = extraction.findsImportanceThreshold || !options.importanceFile.empty();
   extraction.grayRange = range;
   if (!options.vectorFile.empty())
   {
