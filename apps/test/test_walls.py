@@ -6,6 +6,7 @@ import csv
 import json
 import math
 import random
+import re
 import struct
 import unittest
 
@@ -137,6 +138,19 @@ class WallsTest(ProgramTestCase):
             self.assertEqual([(self.folder / name).read_bytes() for name in names], known, arguments)
         self.run_program("extract", "in.mha", "--label", "1", "--wall-table", "alone.csv", "--quiet")
         self.assertEqual((self.folder / "alone.csv").read_bytes(), known[1])
+
+    def test_page_has_a_row_for_each_wall(self):
+        walls, _ = self.check(part(beam), (5, 2), "I-beam")
+        for options, expected in ((("--wall-table", "w.csv"), walls), ((), [])):
+            self.run_program("extract", "in.mha", "--label", "1", "--html", "p.html", "--overwrite", "--quiet", *options)
+            page = (self.folder / "p.html").read_text(encoding="utf-8")
+            rows = [re.findall(r"<td[^>]*>(.*?)</td>", row) for row in re.findall(r'<tr class="wall">(.*?)</tr>', page)]
+            self.assertEqual("<h2>Walls</h2>" in page, bool(expected))
+            self.assertEqual([row[0] for row in rows], [wall["wall"] for wall in expected])
+            for row, wall in zip(rows, expected):
+                for cell, name in zip(row[1:5], ("area", "thickness_mean", "thickness_minimum", "thickness_maximum")):
+                    self.assertAlmostEqual(float(cell), float(wall[name]), delta=0.01 * float(wall[name]))
+                self.assertEqual(re.findall(r"\d+", row[7]), wall["neighbors"].split())
 
     def test_nothing_has_no_walls(self):
         volumes.write_meta(self.folder / "in.mha", part(lambda x, y, z: False))
