@@ -4,7 +4,7 @@
 """Compares parts, tunnels and cavities of the labels 2, 3 and 4 with those of the object, by the homology of GUDHI.
 
 Usage: bench/check_topology.py OUTPUT.json DATA [NUMBER [SEED]]    needs numpy, scipy, gudhi and the package medialvoxel
-NUMBER random volumes of 5 to 24 voxels a side, a tenth as many random label maps, phantoms, and crops of the volumes in DATA. The object is the union of its voxels as
+NUMBER random volumes of 5 to 24 voxels a side, as many random label maps, phantoms, and crops of the volumes in DATA. The object is the union of its voxels as
 closed cubes, so that voxels that touch at a corner are joined: GUDHI's complex of top-dimensional cells. The complex of the cells
 has all faces of these cubes whose corners are in the set: GUDHI's complex of simplices.
 """
@@ -261,7 +261,7 @@ def main():
         "random_with_another_topology_before": sum(
             row["betti_numbers"] != row["betti_numbers_of_medial_cells"] for row in rows
         ),
-        "label_maps": check_maps(number // 10, seed),
+        "label_maps": check_maps(number, seed),
         "volumes": large,
     }
     output.write_text(json.dumps(result, indent=1) + "\n")

@@ -34,7 +34,7 @@ _TEXTS = {
     "thickness_map": "Make `thickness` and `rims` too, of 5 bytes for each voxel.",
     "uncertainty": "Make this output too, of 4 bytes for each voxel; it needs `lower` or `upper`, and walls that can be fitted.",
     "importance": "Make this output too, of 4 bytes for each voxel; not with `labels`.",
-    "same_topology": "Add cells with the label 4, so that the labels 2, 3 and 4 have the topology of the object, with `labels` of each.",
+    "same_topology": "Add cells with the label 4, so that the labels 2, 3 and 4 have the topology of the object; with `labels`, of each.",
     "vectors": "Make this output too, of 12 bytes for each voxel.",
     "extract.vectors": "Make this output too, of 12 bytes for each voxel; not with `labels`.",
     "vector_boundary": "Voxels that vectors lead to: those of the object, or of the background.",

@@ -164,7 +164,7 @@ AddTopology(std::vector<OptionRow> & rows)
     .Help(
       "Add cells, so that the sheet has the object's topology",
       "They have the label 4. The labels 2, 3 and 4 together have as many parts, tunnels and cavities as the "
-      "object, with --labels for each object; labels 2 and 3 stay. Takes 2 bytes of scratch space for each voxel, with "
+      "object; with --labels, as each object. Labels 2 and 3 stay. Takes 2 bytes of scratch space for each voxel; with "
       "--labels 3, and 2 more for each pass.")
     .Needs("OUTPUT", HasLabels)
     .Python(Extract)
@@ -172,7 +172,7 @@ AddTopology(std::vector<OptionRow> & rows)
               "sameTopology",
               "Same topology",
               "Add cells with the label 4, so that the labels 2, 3 and 4 together have as many parts, tunnels and "
-              "cavities as the object, with Labels as each object" });
+              "cavities as the object; with Labels, as each object" });
 }
 
 void

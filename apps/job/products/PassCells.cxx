@@ -6,7 +6,6 @@
 #include "Text.h"
 
 #include <algorithm>
-#include <cassert>
 #include <system_error>
 
 namespace medialvoxel
