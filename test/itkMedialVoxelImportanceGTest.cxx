@@ -238,6 +238,6 @@ TEST(Importance, IsOfOneObject)
   filter->GenerateImportanceOn();
   EXPECT_THROW(filter->Update(), itk::ExceptionObject);
   filter->GenerateImportanceOff();
-  filter->SameTopologyOn();
+  filter->GenerateImportanceThresholdOn();
   EXPECT_THROW(filter->Update(), itk::ExceptionObject);
 }
