@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fcntl.h>
 #include <limits>
 #include <set>
 #include <utility>

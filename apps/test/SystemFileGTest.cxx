@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "SystemFile.h"
 
+#include "ProcessIdentity.h"
 #include "TemporaryFolder.h"
 
 #include <gtest/gtest.h>
@@ -195,6 +196,13 @@ TEST(SystemFile, TheErrorStaysWhenAFileIsClosed)
   EXPECT_EQ(errno, ENOENT);
   EXPECT_FALSE(SystemFile(folder / "none", FileAccess::Read).Sync());
   EXPECT_EQ(errno, ENOENT);
+}
+
+TEST(ProcessIdentity, TellsTheFileOfTheProgram)
+{
+  const std::filesystem::path file = medialvoxel::GetProgramFile();
+  EXPECT_TRUE(std::filesystem::is_regular_file(file)) << file;
+  EXPECT_EQ(file.stem(), "MedialVoxelJobGTestDriver");
 }
 
 } // namespace

@@ -12,7 +12,6 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <iostream>
 
@@ -65,14 +64,6 @@ public:
 private:
   Clock::time_point m_Start{ Clock::now() };
 };
-
-/** True for a terminal that a line can be drawn over in. */
-bool
-CanDrawBar()
-{
-  const char * const terminal = std::getenv("TERM");
-  return HasTerminal() && terminal && *terminal != '\0' && std::strcmp(terminal, "dumb") != 0;
-}
 
 /** Base of the sinks whose notes are lines on the error stream. */
 class TextSink : public ProgressSink
@@ -401,7 +392,7 @@ MakeProgressSink(ProgressStyle style)
   switch (style)
   {
     case ProgressStyle::Auto:
-      return MakeProgressSink(CanDrawBar() ? ProgressStyle::Bar : ProgressStyle::Plain);
+      return MakeProgressSink(CanDrawOverLines() ? ProgressStyle::Bar : ProgressStyle::Plain);
     case ProgressStyle::Bar:
       return std::make_unique<BarSink>();
     case ProgressStyle::Plain:

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Text.h"
 
+#include "Clock.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -119,13 +121,8 @@ GetTime()
   const auto           now = std::chrono::system_clock::now().time_since_epoch();
   const auto           milliseconds = std::chrono::duration_cast<std::chrono::milliseconds>(now).count();
   const std::time_t    seconds = milliseconds / 1000;
-  std::tm              parts{};
+  const std::tm        parts = GetUniversalTime(seconds);
   std::array<char, 32> text{};
-#ifdef _WIN32
-  gmtime_s(&parts, &seconds);
-#else
-  gmtime_r(&seconds, &parts);
-#endif
   std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S.", &parts);
   const std::string fraction = std::to_string(1000 + milliseconds % 1000);
   return text.data() + fraction.substr(1) + "Z";

@@ -4,6 +4,7 @@
 #define medialvoxelProcessIdentity_h
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 
 namespace medialvoxel
@@ -30,6 +31,10 @@ HasEnded(const ProcessIdentity & process);
 /** The name of this machine, for people. */
 std::string
 GetHostName();
+
+/** The file of the program that this process runs; empty where the system does not tell. */
+std::filesystem::path
+GetProgramFile();
 
 } // end namespace medialvoxel
 

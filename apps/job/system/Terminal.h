@@ -10,9 +10,9 @@ namespace medialvoxel
 void
 PrepareStreams();
 
-/** True when the error stream is a terminal. */
+/** True when the error stream is a terminal that a line can be drawn over in. */
 bool
-HasTerminal();
+CanDrawOverLines();
 
 /** Columns of the terminal, 80 where it does not tell. */
 int

@@ -6,6 +6,7 @@
 #include "DicomTags.h"
 #include "Errors.h"
 #include "HeaderParsing.h"
+#include "ProcessIdentity.h"
 #include "SliceFormats.h"
 #include "Text.h"
 
@@ -40,11 +41,9 @@ ListModulePlaces()
   {
     return { place };
   }
-  std::error_code             error;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  const std::filesystem::path folder = GetProgramFile().parent_path();
   const std::filesystem::path name = std::string("MedialVoxelDicom") + itksys::DynamicLoader::LibExtension();
-  return { (program.parent_path() / MEDIALVOXEL_MODULE_FOLDER / name).lexically_normal(),
-           program.parent_path() / name };
+  return { (folder / MEDIALVOXEL_MODULE_FOLDER / name).lexically_normal(), folder / name };
 }
 
 /** Null where there is no module, or one that cannot be loaded. */

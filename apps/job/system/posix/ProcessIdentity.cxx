@@ -14,6 +14,10 @@
 #include <optional>
 #include <sstream>
 #include <unistd.h>
+#ifdef __APPLE__
+#  include <climits>
+#  include <mach-o/dyld.h>
+#endif
 
 namespace medialvoxel
 {
@@ -133,6 +137,19 @@ GetHostName()
   std::array<char, 256> name{};
   gethostname(name.data(), name.size() - 1);
   return name.data();
+}
+
+std::filesystem::path
+GetProgramFile()
+{
+#ifdef __APPLE__
+  std::array<char, PATH_MAX> name{};
+  auto                       size = static_cast<std::uint32_t>(name.size());
+  return _NSGetExecutablePath(name.data(), &size) == 0 ? name.data() : "";
+#else
+  std::error_code error;
+  return std::filesystem::read_symlink("/proc/self/exe", error);
+#endif
 }
 
 } // end namespace medialvoxel

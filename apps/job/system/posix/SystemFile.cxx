@@ -329,11 +329,21 @@ SystemFile::Reserve(std::uint64_t numberOfBytes)
     itk::MedialVoxelCheckAbort();
     error = fallocate(m_Descriptor, 0, 0, static_cast<off_t>(numberOfBytes)) == 0 ? 0 : errno;
   }
+#elif defined(__APPLE__)
+  const std::uint64_t size = std::min(this->GetSize(), numberOfBytes);
+  fstore_t            space = {};
+  space.fst_flags = F_ALLOCATEALL;
+  space.fst_posmode = F_PEOFPOSMODE;
+  space.fst_length = static_cast<off_t>(numberOfBytes - size);
+  const bool isReserved =
+    size == numberOfBytes || (fcntl(m_Descriptor, F_PREALLOCATE, &space) != -1 && this->SetSize(numberOfBytes));
+  const int error = isReserved ? 0 : errno;
 #else
   const int error = posix_fallocate(m_Descriptor, 0, static_cast<off_t>(numberOfBytes));
 #endif
   errno = error;
-  return error == 0 || error == EOPNOTSUPP || error == ENOSYS || error == EINVAL;
+  // Apple has two numbers for "not supported".
+  return error == 0 || error == ENOTSUP || error == EOPNOTSUPP || error == ENOSYS || error == EINVAL;
 }
 
 bool

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Terminal.h"
 
+#include <cstdlib>
+#include <cstring>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -13,9 +15,10 @@ PrepareStreams()
 {}
 
 bool
-HasTerminal()
+CanDrawOverLines()
 {
-  return isatty(STDERR_FILENO) != 0;
+  const char * const terminal = std::getenv("TERM");
+  return isatty(STDERR_FILENO) != 0 && terminal && *terminal != '\0' && std::strcmp(terminal, "dumb") != 0;
 }
 
 int

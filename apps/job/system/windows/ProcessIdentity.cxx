@@ -88,4 +88,13 @@ GetHostName()
   return GetComputerNameExA(ComputerNameDnsHostname, name.data(), &size) != 0 ? name.data() : "";
 }
 
+std::filesystem::path
+GetProgramFile()
+{
+  constexpr DWORD mostLetters = 32768;
+  std::wstring    name(mostLetters, L'\0');
+  name.resize(GetModuleFileNameW(nullptr, name.data(), mostLetters));
+  return name;
+}
+
 } // end namespace medialvoxel

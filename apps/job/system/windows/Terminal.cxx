@@ -21,7 +21,7 @@ PrepareStreams()
 }
 
 bool
-HasTerminal()
+CanDrawOverLines()
 {
   const HANDLE stream = GetStdHandle(STD_ERROR_HANDLE);
   DWORD        mode = 0;
