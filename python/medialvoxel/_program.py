@@ -97,7 +97,7 @@ def _make_arguments(options: dict[str, Any]) -> list[str]:
 def _fail(status: int, text: str) -> NoReturn:
     lines = [line for line in text.splitlines() if line.startswith("medialvoxel: ")]
     message = lines[-1].removeprefix("medialvoxel: ") if lines else text.strip() or f"exit status {status}"
-    if status == 3 and " memory" in message and "needs" in message:
+    if status == 3 and " memory" in message and any(word in message for word in (" need", " takes ")):
         raise MemoryError(message)
     if message.endswith("no such file"):
         raise FileNotFoundError(message)

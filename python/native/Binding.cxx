@@ -81,6 +81,10 @@ Guard(MedialVoxelResult & result, TWork && work)
   {
     fail(MedialVoxelOutOfMemory, "out of memory");
   }
+  catch (const MemoryRefusal & error)
+  {
+    fail(MedialVoxelOutOfMemory, error.what());
+  }
   catch (const JobError & error)
   {
     fail(error.GetStatus() == ExitStatus::Failure ? MedialVoxelFailed : MedialVoxelWrongValue, error.what());

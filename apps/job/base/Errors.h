@@ -42,14 +42,22 @@ private:
   ExitStatus m_Status;
 };
 
-/** \class PieceMemoryError
- * \brief A piece of the volume needs more memory than is allowed; others may not. */
-class PieceMemoryError : public JobError
+/** \class MemoryRefusal
+ * \brief The job needs more memory than is allowed. */
+class MemoryRefusal : public JobError
 {
 public:
-  explicit PieceMemoryError(const std::string & message)
+  explicit MemoryRefusal(const std::string & message)
     : JobError(ExitStatus::Refused, message)
   {}
+};
+
+/** \class PieceMemoryError
+ * \brief A piece of the volume needs more memory than is allowed; others may not. */
+class PieceMemoryError : public MemoryRefusal
+{
+public:
+  using MemoryRefusal::MemoryRefusal;
 };
 
 /** \class StoppedBySignal
@@ -73,14 +81,30 @@ private:
   int m_SignalNumber;
 };
 
+/** The parts of a message put together. */
+template <typename... TParts>
+std::string
+JoinParts(const TParts &... parts)
+{
+  std::ostringstream message;
+  (message << ... << parts);
+  return message.str();
+}
+
 /** Throws JobError with the parts of the message put together. */
 template <typename... TParts>
 [[noreturn]] void
 Fail(ExitStatus status, const TParts &... parts)
 {
-  std::ostringstream message;
-  (message << ... << parts);
-  throw JobError(status, message.str());
+  throw JobError(status, JoinParts(parts...));
+}
+
+/** The same with MemoryRefusal. */
+template <typename... TParts>
+[[noreturn]] void
+FailForMemory(const TParts &... parts)
+{
+  throw MemoryRefusal(JoinParts(parts...));
 }
 
 } // end namespace medialvoxel

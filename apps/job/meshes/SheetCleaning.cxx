@@ -175,16 +175,15 @@ CheckMemory(const MeshSpool & surface, std::uint64_t needed, const SheetCleaning
 {
   if (needed > cleaning.memoryLimit)
   {
-    Fail(ExitStatus::Refused,
-         "the surface has ",
-         surface.GetNumberOfVertices(),
-         " vertices; ",
-         what,
-         " takes ",
-         FormatBytes(needed),
-         " of memory, ",
-         FormatBytes(cleaning.memoryLimit),
-         " are left for it; allow more with --memory");
+    FailForMemory("the surface has ",
+                  surface.GetNumberOfVertices(),
+                  " vertices; ",
+                  what,
+                  " takes ",
+                  FormatBytes(needed),
+                  " of memory, ",
+                  FormatBytes(cleaning.memoryLimit),
+                  " are left for it; allow more with --memory");
   }
 }
 

@@ -26,10 +26,9 @@ SheetInMemory::AddVertices(const std::vector<itk::MedialVoxelSurfaceVertex> & ve
 {
   if (sheet.points.size() + vertices.size() > m_Most)
   {
-    Fail(ExitStatus::Refused,
-         "the sheet has so many cells that the walls need more than the ",
-         FormatBytes(m_Most * BytesPerPoint),
-         " of memory that are left for them; allow more with --memory, or leave out walls and their tables");
+    FailForMemory("the sheet has so many cells that the walls need more than the ",
+                  FormatBytes(m_Most * BytesPerPoint),
+                  " of memory that are left for them; allow more with --memory, or leave out walls and their tables");
   }
   for (const itk::MedialVoxelSurfaceVertex & vertex : vertices)
   {

@@ -57,14 +57,13 @@ CheckMemory(const MeshSpool & surface, const std::uint64_t allowed)
   const std::uint64_t needed = triangles * itk::MedialVoxelRemeshingBytesPerTriangle();
   if (needed > allowed)
   {
-    Fail(ExitStatus::Refused,
-         "the coarsened surface has ",
-         surface.GetNumberOfFaces(),
-         " faces; giving them the element size takes ",
-         FormatBytes(needed),
-         " of memory, ",
-         FormatBytes(allowed),
-         " are left for it; allow more with --memory, or take --element-size voxel");
+    FailForMemory("the coarsened surface has ",
+                  surface.GetNumberOfFaces(),
+                  " faces; giving them the element size takes ",
+                  FormatBytes(needed),
+                  " of memory, ",
+                  FormatBytes(allowed),
+                  " are left for it; allow more with --memory, or take --element-size voxel");
   }
   if (std::max(triangles, surface.GetNumberOfVertices()) >= std::numeric_limits<Index>::max() / 4)
   {

@@ -78,12 +78,11 @@ CheckTopologyMemory(const itk::MedialVoxelSameTopology & topology, const JobPlan
   const std::uint64_t allowed = plan.memory.limit - std::min(plan.memory.limit, plan.memory.fixed);
   if (plan.memory.limit != NoMemoryLimit && topology.GetHeldBytes() > allowed)
   {
-    Fail(ExitStatus::Refused,
-         "walls thicker than ",
-         PlannedWallThickness,
-         " voxels, or noise: the cells for the topology of the object need more than the ",
-         FormatBytes(allowed),
-         " of memory that are left for them; allow more with --memory, or leave out --same-topology");
+    FailForMemory("walls thicker than ",
+                  PlannedWallThickness,
+                  " voxels, or noise: the cells for the topology of the object need more than the ",
+                  FormatBytes(allowed),
+                  " of memory that are left for them; allow more with --memory, or leave out --same-topology");
   }
 }
 
