@@ -36,6 +36,7 @@ MedialVoxelImportance::MedialVoxelImportance(const MedialVoxelGrid & grid, const
   , m_Threshold(grid, parameters)
   , m_Cap(GetCap(parameters))
   , m_Pairs(grid, GetTrivialLength(grid))
+  , m_Blocks(grid)
   , m_Separation(grid)
   , m_Search(grid)
 {}
@@ -58,7 +59,11 @@ MedialVoxelImportance::Compute(const MedialVoxelWindow &   window,
     return !progress.IsAborted();
   });
   const MedialVoxelBits & boundary = *window.sites;
-  const MedialVoxelBox    missing = m_Separation.FindSeparated(boundary, progress, workspace.m_Separation, queries);
+  m_Blocks.Tighten(boundary, progress, workspace.m_Blocks, queries);
+  queries.erase(std::remove_if(
+                  queries.begin(), queries.end(), [](const auto & query) { return query.bounds.Reach(query.epsilon); }),
+                queries.end());
+  const MedialVoxelBox missing = m_Separation.FindSeparated(boundary, progress, workspace.m_Separation, queries);
   if (!missing.IsEmpty())
   {
     return missing;

@@ -3,6 +3,7 @@
 #ifndef itkMedialVoxelImportance_h
 #define itkMedialVoxelImportance_h
 
+#include "itkMedialVoxelBlockSeparation.h"
 #include "itkMedialVoxelBoundaryDistances.h"
 #include "itkMedialVoxelBoundaryGraph.h"
 #include "itkMedialVoxelCellPairs.h"
@@ -42,6 +43,7 @@ public:
     friend class MedialVoxelImportance;
 
     std::vector<MedialVoxelSeparationQuery> m_Queries; // of the cells that no bound decides
+    MedialVoxelBlockSeparation::Workspace   m_Blocks;
     MedialVoxelPairSeparation::Workspace    m_Separation;
     MedialVoxelPathSearch::Workspace        m_Search;
     MedialVoxelBoundaryGraph                m_Graph;
@@ -101,13 +103,14 @@ private:
   double
   FindLength(const MedialVoxelBits & boundary, const MedialVoxelSeparationQuery & query, Workspace & workspace) const;
 
-  MedialVoxelGrid           m_Grid;
-  MedialVoxelParameters     m_Parameters;
-  MedialVoxelLocalThreshold m_Threshold;
-  double                    m_Cap;
-  MedialVoxelCellPairs      m_Pairs;
-  MedialVoxelPairSeparation m_Separation;
-  MedialVoxelPathSearch     m_Search;
+  MedialVoxelGrid            m_Grid;
+  MedialVoxelParameters      m_Parameters;
+  MedialVoxelLocalThreshold  m_Threshold;
+  double                     m_Cap;
+  MedialVoxelCellPairs       m_Pairs;
+  MedialVoxelBlockSeparation m_Blocks;
+  MedialVoxelPairSeparation  m_Separation;
+  MedialVoxelPathSearch      m_Search;
 };
 
 } // end namespace itk
