@@ -170,6 +170,39 @@ TEST(SheetPoints, OfPartsAreThoseOfTheWhole)
   }
 }
 
+TEST(SheetPoints, HaveTheSmallestNumbersOfTheirCells)
+{
+  const std::vector<Cell>                  cells = MakeCells(20000);
+  std::mt19937                             random(5);
+  std::vector<std::array<std::int32_t, 3>> numbered;
+  std::vector<std::uint32_t>               numbers;
+  for (const Cell & cell : cells)
+  {
+    const auto [x, y, z] = cell.index;
+    numbered.push_back(
+      { { static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), static_cast<std::int32_t>(z) } });
+    numbers.push_back(static_cast<std::uint32_t>(random() % 4));
+  }
+  for (const std::size_t budget : { 50u, 5000u, 20000u })
+  {
+    const SheetPoints              points = Collect({ cells.begin() + 5000, cells.end() }, budget);
+    std::map<Block, std::uint32_t> least;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      Block block{};
+      for (unsigned int axis = 0; axis < 3; ++axis)
+      {
+        block[axis] = static_cast<std::uint64_t>(numbered[i][axis]) / (std::uint64_t{ 1 } << points.GetLevel());
+      }
+      std::uint32_t & number = least[block];
+      number = numbers[i] > 0 && (number == 0 || numbers[i] < number) ? numbers[i] : number;
+    }
+    std::vector<std::uint32_t> expected;
+    points.ForEachPoint([&](const SheetPoints::Point & point) { expected.push_back(least.at(point.block)); });
+    EXPECT_EQ(points.FindNumbers(numbered, numbers), expected) << budget;
+  }
+}
+
 TEST(SheetPoints, OfAnotherImageOrTooManyAreRefused)
 {
   const SheetPoints points = Collect(MakeCells(2000), 1000);

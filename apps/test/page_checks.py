@@ -9,6 +9,7 @@ import numpy
 import volumes
 from page_browser import PageBrowser
 from test_page_view import PageCase
+from test_walls import part, tee
 
 
 class BrowserTest(PageCase):
@@ -271,6 +272,55 @@ class BrowserTest(PageCase):
         self.assertLess(shares[2], 0.8 * shares[1])
         self.assertGreater(shares[2], 0.3 * shares[0], "the middle stays")
         self.assert_quiet(browser)
+
+    def test_a_row_shows_its_wall_alone(self):
+        volumes.write_meta(self.folder / "in.mha", part(tee))
+        browser = self.open(self.page("--wall-table", "w.csv"))
+        browser.wait("arrived", "-1")
+        rows = browser.find("tr.wall")
+        colors = [(230, 25, 75), (60, 180, 75), (67, 99, 216)]
+        shares = lambda pixels: [self.share_of(pixels, color) for color in colors]  # noqa: E731
+
+        def wait(is_right):
+            def is_shown(pixels):
+                # A picture that is taken while the page scrolls after a click may stop it.
+                browser.driver.execute_script("document.getElementById('view').scrollIntoView()")
+                return is_right(shares(pixels))
+
+            browser.wait_for_pixels(is_shown)
+
+        texts = lambda name: [one.text for one in browser.find(name)]  # noqa: E731
+        self.assertEqual(texts("#view-color option"), ["by thickness", "by wall"])
+        self.assertIn("Thickness", texts("#view-legend")[0])
+        self.assertLess(max(shares(browser.settled_pixels())[::2]), 0.005, "the scale comes first")
+        browser.driver.execute_script(
+            "const choice = document.getElementById('view-color'); choice.value = 'wall';"
+            "choice.dispatchEvent(new Event('change'))"
+        )
+        browser.wait_for_frames()
+        everything = shares(browser.settled_pixels())
+        self.assertGreater(min(everything), 0.01)
+        self.assertIn("no wall", texts("#view-legend")[0])
+        # A row is reached and chosen by keys alone.
+        for number, show in enumerate((rows[0].click, lambda: self.choose_by_keys(browser, 1), rows[2].click)):
+            show()
+            browser.wait("wall", str(number + 1))
+            self.assertEqual(rows[number].find_element("tag name", "button").get_attribute("aria-pressed"), "true")
+            wait(lambda now, at=number: now[at] > 0.9 * everything[at] and sum(now) - now[at] < 0.002)
+        for show_all in (rows[1].click, lambda: browser.press_anywhere("\ue00c")):  # again, Escape
+            rows[1].click()
+            browser.wait("wall", "2")
+            show_all()
+            browser.wait("wall", "0")
+            wait(lambda now: min(one / before for one, before in zip(now, everything)) > 0.95)
+        browser.click_view()
+        self.assertRegex(browser.find("#view-status")[0].text, ", wall [123]$")
+        self.assert_quiet(browser)
+
+    @staticmethod
+    def choose_by_keys(browser, row):
+        browser.driver.execute_script(f"document.querySelectorAll('tr.wall button')[{row}].focus()")
+        browser.press_anywhere("\ue007")  # Enter
 
     def test_a_fixed_scale(self):
         browser = self.show("--color-range", "0,40")

@@ -8,6 +8,7 @@ import math
 import pathlib
 import re
 import shutil
+import struct
 import subprocess
 import unittest
 import zlib
@@ -16,6 +17,7 @@ import volumes
 from interpreters import python_with
 from jobs import JobTestCase
 from program import ProgramTestCase
+from test_walls import part, tee
 
 RUN = re.compile(r'<section id="run">.*?</section>', re.DOTALL)
 ENGINE = pathlib.Path(__file__).parents[3] / "shared/data/engine.mha"
@@ -53,7 +55,7 @@ def count_faces(shares):
 
 
 def decode_points(data, octets):
-    """Rows of block, place in the block in 256ths and code, as the page documents its bytes; with the importance, if it has that."""
+    """Rows of block, place in the block in 256ths and code, as the page documents its bytes; importance and wall, if it has them."""
     values = iter(octets)
 
     def number():
@@ -71,7 +73,7 @@ def decode_points(data, octets):
         key += number()
         block = (key % width, key // width % height, key // width // height)
         places = tuple(next(values) for _ in range(3)) if data["edge"] > 1 else (128, 128, 128)
-        rows.append((block, places, number(), number()) if data["importance"][1] else (block, places, number()))
+        rows.append((block, places, *(number() for _ in range(1 + (data["importance"][1] > 0) + ("walls" in data)))))
     assert next(values, None) is None, "bytes are left"
     return rows
 
@@ -147,6 +149,25 @@ class PointTest(PageCase):
         for block, *_, importance in rows:
             length = lengths[block[0] + size[0] * (block[1] + size[1] * block[2])]
             self.assertAlmostEqual(importance * data["lengthUnit"], length * 2 / math.pi, delta=data["lengthUnit"])
+
+    def test_points_have_the_walls_of_their_cells(self):
+        """Against the volume of the walls, also beside a mesh; all else of the points stays."""
+        volume = part(tee)
+        volumes.write_meta(self.folder / "tee.mha", volume)
+        data, octets = read_data(self.page(source="tee.mha"))
+        self.assertNotIn("walls", data)
+        expected = decode_points(data, octets)
+        for others in ((), ("--divisions", 7), ("--importance", "i.mha"), ("--mesh", "m.vtu", "--mesh-walls")):
+            data, octets = read_data(self.page("--walls", "w.mha", *others, source="tee.mha"))
+            self.assertEqual(data["walls"], 3)
+            rows = decode_points(data, octets)
+            self.assertEqual([row[:3] for row in rows], expected)
+            self.assertEqual(data["edge"], 1)
+            data = volumes.read_data(self.folder / "w.mha")
+            numbers = struct.unpack(f"<{len(data) // 4}I", data)
+            walls = [numbers[x + volume.size[0] * (y + volume.size[1] * z)] for (x, y, z), *_ in rows]
+            self.assertEqual([row[-1] for row in rows], walls)
+            self.assertGreater(sum(wall > 0 for wall in walls), 0.8 * len(walls), "all but rims")
 
     @unittest.skipUnless(ENGINE.exists(), f"{ENGINE} is not there")
     def test_points_of_a_large_sheet(self):

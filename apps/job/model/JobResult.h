@@ -57,7 +57,8 @@ struct JobResult
   std::optional<SheetSummary>                   surface;  ///< when a mesh was asked for
   Json                                          topology; ///< of the object and the labels, when that was asked for
   std::optional<itk::MedialVoxelSheetWalls>     walls;    ///< and seams, when these were asked for
-  Json                                          part;     ///< its surface, when that was asked for
+  std::vector<std::uint32_t>                    wallOfPoint; ///< walls of the points of the page; empty: not asked for
+  Json                                          part;        ///< its surface, when that was asked for
   std::vector<Warning>                          warnings;
   JobSeconds                                    seconds;
   std::uint64_t                                 peakMemory{ 0 }; ///< of the process

@@ -21,6 +21,7 @@ namespace medialvoxel
 
 class PassCells;
 class SheetMesh;
+class SheetSurvey;
 struct Pictures;
 
 /** The context in which products start. */
@@ -30,9 +31,10 @@ struct ProductStart
   InputVolume *     input{ nullptr }; ///< null: parts that others found are put together
 
   // Set by earlier products.
-  SheetMesh *      mesh{ nullptr };
-  const Survey *   survey{ nullptr };
-  const Pictures * pictures{ nullptr }; ///< they are drawn at the end
+  SheetMesh *         mesh{ nullptr };
+  const Survey *      survey{ nullptr };
+  const Pictures *    pictures{ nullptr }; ///< they are drawn at the end
+  const SheetSurvey * sheet{ nullptr };    ///< of the page, with its view
 };
 
 /** The context in which products are completed. */

@@ -181,13 +181,13 @@ MakeProducts(const ExtractOptions & options, const VolumeHeader & header)
   }
   // Each may use the previous ones.
   for (const ProductRow * const row : { &MeshRow,
-                                        &WallRow,
-                                        &WallTableRow,
-                                        &SeamTableRow,
                                         &StatisticsRow,
                                         &PictureRow,
                                         &PlaceRow,
                                         &PageRow,
+                                        &WallRow,
+                                        &WallTableRow,
+                                        &SeamTableRow,
                                         &ReportRow,
                                         &ParameterRow })
   {

@@ -223,6 +223,7 @@ public:
     {
       const double unit = m_Thickness->GetSums().GetAreas().GetBinWidth();
       this->StartSurvey(start.job.input.geometry, unit, m_Thickness->GetSample());
+      start.sheet = m_Survey.get();
     }
   }
 
@@ -236,8 +237,11 @@ private:
     {
       pictures.sections = DrawPlaceSections(result.places, result.input);
     }
-    return MakeHtmlReport(
-      result.report, m_Options.command, pictures, { m_Survey.get(), colors }, result.input.geometry);
+    return MakeHtmlReport(result.report,
+                          m_Options.command,
+                          pictures,
+                          { m_Survey.get(), colors, result.wallOfPoint },
+                          result.input.geometry);
   }
 
   const Survey *   m_Thickness{ nullptr };

@@ -7,6 +7,7 @@
 #include "SheetInMemory.h"
 #include "SheetMesh.h"
 #include "SheetObserver.h"
+#include "SheetSurvey.h"
 #include "TaskRunner.h"
 #include "ThreadedTasks.h"
 #include "VolumeFormats.h"
@@ -58,6 +59,7 @@ public:
     m_Sheet = std::make_unique<SheetInMemory>(plan.memory.limit - std::min(plan.memory.limit, plan.memory.fixed));
     m_Header = header;
     m_Mesh = start.mesh;
+    m_Shown = start.sheet;
     if (m_Mesh != nullptr)
     {
       m_Mesh->AlsoGiveTo(*m_Sheet);
@@ -105,6 +107,10 @@ public:
         first += slice.size();
       });
     }
+    if (m_Shown != nullptr)
+    {
+      result.wallOfPoint = m_Shown->GetPoints().FindNumbers(m_Sheet->cells, result.walls->wallOf);
+    }
     m_Sheet.reset();
     std::vector<std::uint32_t> wallOf;
     wallOf.swap(result.walls->wallOf);
@@ -121,7 +127,8 @@ private:
   VolumeHeader                                     m_Header;
   std::unique_ptr<SheetInMemory>                   m_Sheet;
   std::unique_ptr<itk::MedialVoxelSurfaceObserver> m_Observer;
-  SheetMesh *                                      m_Mesh{ nullptr }; ///< gives the sheet, where one is made
+  SheetMesh *                                      m_Mesh{ nullptr };  ///< gives the sheet, where one is made
+  const SheetSurvey *                              m_Shown{ nullptr }; ///< on a page, where there is one
   VoxelOutput *                                    m_Volume{ nullptr };
 };
 

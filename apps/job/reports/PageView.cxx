@@ -23,8 +23,8 @@ constexpr const char * Library = "three.js";
 constexpr const char * Controls = "OrbitControls.js";
 constexpr const char * License = "license";
 
-/** Bytes of a point: distance from the one before, three places in its block, its thickness and importance. */
-constexpr std::uint64_t LongestPoint = 5 + 3 + 5 + 5;
+/** Bytes of a point: distance from the one before, three places in its block, its thickness, importance and wall. */
+constexpr std::uint64_t LongestPoint = 5 + 3 + 5 + 5 + 5;
 
 /** Bytes of a part: a run at each side of a face and one between. */
 constexpr std::uint64_t LongestPart = 10 * PartBlocks::DefaultBudget;
@@ -82,12 +82,14 @@ FindImportances(const SheetPoints & points)
 }
 
 std::string
-EncodePoints(const SheetPoints & points)
+EncodePoints(const PageSheet & shown)
 {
-  const bool    hasImportance = FindImportances(points).second > 0;
-  const auto    blocks = points.GetNumberOfBlocks();
-  std::string   bytes;
-  std::uint64_t previous = 0;
+  const SheetPoints & points = shown.sheet->GetPoints();
+  const bool          hasImportance = FindImportances(points).second > 0;
+  const auto          blocks = points.GetNumberOfBlocks();
+  std::string         bytes;
+  std::uint64_t       previous = 0;
+  auto                wall = shown.walls.begin();
   points.ForEachPoint([&](const SheetPoints::Point & point) {
     const std::uint64_t number = (point.block[2] * blocks[1] + point.block[1]) * blocks[0] + point.block[0];
     AddNumber(bytes, number - previous);
@@ -98,6 +100,7 @@ EncodePoints(const SheetPoints & points)
     }
     AddNumber(bytes, GetCode(point.sums));
     hasImportance ? AddNumber(bytes, point.sums.importance) : void();
+    wall != shown.walls.end() ? AddNumber(bytes, *wall++) : void();
   });
   return bytes;
 }
@@ -146,22 +149,26 @@ Describe(const PageSheet &        shown,
   std::array<double, 3> shift{};
   std::transform(
     geometry.size.begin(), geometry.size.end(), shift.begin(), [](auto size) { return size > 1 ? 0.5 : 0.0; });
-  const auto                   importance = FindImportances(points);
-  const nlohmann::ordered_json json{ { "points", points.GetNumberOfPoints() },
-                                     { "blocks", points.GetNumberOfBlocks() },
-                                     { "edge", std::uint64_t{ 1 } << points.GetLevel() },
-                                     { "part", { { "blocks", part.blocks }, { "edge", 0.5 * part.halfEdges } } },
-                                     { "size", geometry.size },
-                                     { "spacing", geometry.spacing },
-                                     { "origin", geometry.origin },
-                                     { "direction", geometry.direction },
-                                     { "shift", shift },
-                                     { "lengths", unit },
-                                     { "lengthUnit", shown.sheet->GetLengthUnit() },
-                                     { "low", shown.colors.low },
-                                     { "high", shown.colors.high },
-                                     { "importance", importance },
-                                     { "colors", MakeColors() } };
+  const auto             importance = FindImportances(points);
+  nlohmann::ordered_json json{ { "points", points.GetNumberOfPoints() },
+                               { "blocks", points.GetNumberOfBlocks() },
+                               { "edge", std::uint64_t{ 1 } << points.GetLevel() },
+                               { "part", { { "blocks", part.blocks }, { "edge", 0.5 * part.halfEdges } } },
+                               { "size", geometry.size },
+                               { "spacing", geometry.spacing },
+                               { "origin", geometry.origin },
+                               { "direction", geometry.direction },
+                               { "shift", shift },
+                               { "lengths", unit },
+                               { "lengthUnit", shown.sheet->GetLengthUnit() },
+                               { "low", shown.colors.low },
+                               { "high", shown.colors.high },
+                               { "importance", importance },
+                               { "colors", MakeColors() } };
+  if (!shown.walls.empty())
+  {
+    json["walls"] = *std::max_element(shown.walls.begin(), shown.walls.end());
+  }
   return json.dump();
 }
 
@@ -208,7 +215,7 @@ AddPageScripts(std::string & page, const PageSheet & shown, const VolumeGeometry
 {
   const PartBlocks::Grid part = shown.sheet->GetPart().MakeGrid(shown.sheet->GetPoints());
   AddData(page, "view-data", Describe(shown, part, geometry, unit));
-  AddData(page, "view-points", EncodeBase64(EncodePoints(shown.sheet->GetPoints())));
+  AddData(page, "view-points", EncodeBase64(EncodePoints(shown)));
   AddData(page, "view-part", EncodeBase64(EncodePart(part)));
   for (const char * const file : { Library, Controls, "sheet.js", "part.js", "scene.js", "view.js" })
   {

@@ -223,6 +223,32 @@ SheetPoints::ForEachPoint(const std::function<void(const Point & point)> & funct
   }
 }
 
+std::vector<std::uint32_t>
+SheetPoints::FindNumbers(const std::vector<std::array<std::int32_t, 3>> & cells,
+                         const std::vector<std::uint32_t> &               numbers) const
+{
+  std::vector<KeyType> keys;
+  keys.reserve(m_Blocks.size());
+  this->ForEachPoint([&keys](const Point & point) { keys.push_back(GetKey(point.block)); });
+  std::vector<std::uint32_t> found(keys.size(), 0);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    std::array<std::uint64_t, 3> block{};
+    std::transform(cells[i].begin(), cells[i].end(), block.begin(), [this](const std::int32_t index) {
+      return static_cast<std::uint64_t>(index) >> m_Level;
+    });
+    const KeyType key = GetKey(block);
+    const auto    at = std::lower_bound(keys.begin(), keys.end(), key);
+    // The sheet of the walls has few cells beside those of the points.
+    if (numbers[i] > 0 && at != keys.end() && *at == key)
+    {
+      std::uint32_t & number = found[static_cast<std::size_t>(at - keys.begin())];
+      number = number == 0 ? numbers[i] : std::min(number, numbers[i]);
+    }
+  }
+  return found;
+}
+
 void
 SheetPoints::Save(NumberWriter & numbers) const
 {

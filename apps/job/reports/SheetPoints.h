@@ -87,6 +87,11 @@ public:
   void
   ForEachPoint(const std::function<void(const Point & point)> & function) const;
 
+  /** Of each point, in this order, the smallest number above 0 of cells in its block; 0: there is none.
+   * \param numbers of the cells, 0 for none */
+  std::vector<std::uint32_t>
+  FindNumbers(const std::vector<std::array<std::int32_t, 3>> & cells, const std::vector<std::uint32_t> & numbers) const;
+
   void
   Save(NumberWriter & numbers) const;
 

@@ -9,7 +9,11 @@ const MedialVoxelScene = (() => {
     attribute float thickness;
     attribute float isKnown;
     attribute float importance;
+    attribute vec3 wallColor;
+    attribute float isChosen;
     uniform float pointSize;
+    varying vec3 ofWall;
+    varying float chosen;
     varying float weight;
     varying float wall;
     varying float known;
@@ -26,6 +30,8 @@ const MedialVoxelScene = (() => {
       wall = thickness;
       known = isKnown;
       weight = importance;
+      ofWall = wallColor;
+      chosen = isChosen;
       depth = -seen.z;
       place = position;
       gl_Position = projectionMatrix * seen;
@@ -37,10 +43,14 @@ const MedialVoxelScene = (() => {
     uniform vec2 limits;
     uniform vec3 classes[3];
     uniform bool isByLimits;
+    uniform bool isByWall;
+    uniform bool isOneWall;
     uniform float pixelRatio;
     uniform vec4 cut;
     uniform float nearest;
     uniform float least;
+    varying vec3 ofWall;
+    varying float chosen;
     varying float weight;
     varying float wall;
     varying float known;
@@ -58,6 +68,12 @@ const MedialVoxelScene = (() => {
       if (known < -0.5) color = vec3(0.62, 0.64, 0.67);
       float stripe = step(0.6, fract((gl_FragCoord.x + gl_FragCoord.y) / (7.0 * pixelRatio)));
       if (known < 0.5) color = mix(color, vec3(1.0), 0.75 * stripe);
+      if (isByWall) color = ofWall;
+      if (isOneWall && chosen < 0.5) {
+        // A grid of pixels, through which the chosen wall is seen.
+        if (mod(floor(gl_FragCoord.x), 2.0) + mod(floor(gl_FragCoord.y), 2.0) > 0.5) discard;
+        color = mix(color, vec3(0.9), 0.8);
+      }
       gl_FragColor = vec4(color * light, 1.0);
     }`;
   // Gray glass, denser where it is seen from the side.
@@ -75,6 +91,9 @@ const MedialVoxelScene = (() => {
   const FAR_AWAY = 1e30;
   const MARGIN = 70; // pixels around the box
   const CLASSES = ["#d55e00", "#009e73", "#0072b2"]; // below, within and above; told apart by all eyes
+  const WALLS = "#9aa0a8 #e6194b #3cb44b #4363d8 #f58231 #911eb4 #42d4f4 #f032e6 #bfef45 #469990 #9a6324 #ffe119 #000075".split(" ");
+  // Gray for no wall; the others repeat.
+  const getColorOfWall = (wall) => (wall > 0 ? 1 + ((wall - 1) % (WALLS.length - 1)) : 0);
 
   function makeColors(hex) {
     const bytes = new Uint8Array(hex.length / 2);
@@ -86,7 +105,7 @@ const MedialVoxelScene = (() => {
     return texture;
   }
 
-  function makeGeometry({ positions, normals, thickness, isKnown, importance }, { index }) {
+  function makeGeometry({ positions, normals, thickness, isKnown, importance, wallColor, isChosen }, { index }) {
     const geometry = new THREE.BufferGeometry();
     const set = (name, values, size) => values && geometry.setAttribute(name, new THREE.BufferAttribute(values, size));
     set("position", positions, 3);
@@ -94,8 +113,21 @@ const MedialVoxelScene = (() => {
     set("thickness", thickness, 1);
     set("isKnown", isKnown, 1);
     set("importance", importance, 1);
+    set("wallColor", wallColor, 3);
+    set("isChosen", isChosen, 1);
     geometry.setIndex(new THREE.BufferAttribute(index, 1));
     return geometry;
+  }
+
+  // Colors of the points by their walls, and whether these are chosen.
+  function makeWalls(data, sheet) {
+    if (!data.walls) {
+      return {};
+    }
+    const colors = WALLS.map((color) => new THREE.Color(color).toArray());
+    const wallColor = new Float32Array(3 * sheet.wall.length);
+    sheet.wall.forEach((wall, at) => wallColor.set(colors[getColorOfWall(wall)], 3 * at));
+    return { wallColor, isChosen: new Float32Array(sheet.wall.length) };
   }
 
   // The box along the axes of space around the largest piece of the sheet, or all of them.
@@ -182,6 +214,8 @@ const MedialVoxelScene = (() => {
       limits: { value: new THREE.Vector2(...data.limits) },
       classes: { value: CLASSES.map((color) => new THREE.Color(color)) },
       isByLimits: { value: false },
+      isByWall: { value: false },
+      isOneWall: { value: false },
       pixelRatio: { value: 1 },
       cut: { value: new THREE.Vector4(0, 0, 0, FAR_AWAY) },
       nearest: { value: 0 },
@@ -190,8 +224,9 @@ const MedialVoxelScene = (() => {
     };
     const makeMaterial = (options) =>
       new THREE.ShaderMaterial({ uniforms, vertexShader: VERTEX, fragmentShader: FRAGMENT, side: THREE.DoubleSide, ...options });
-    const surface = new THREE.Mesh(makeGeometry(sheet, sheet.faces), makeMaterial({}));
-    const singles = new THREE.Points(makeGeometry(sheet, sheet.singles), makeMaterial({ defines: { ROUND: true } }));
+    const walls = makeWalls(data, sheet);
+    const surface = new THREE.Mesh(makeGeometry({ ...sheet, ...walls }, sheet.faces), makeMaterial({}));
+    const singles = new THREE.Points(makeGeometry({ ...sheet, ...walls }, sheet.singles), makeMaterial({ defines: { ROUND: true } }));
     surface.frustumCulled = singles.frustumCulled = false;
     const marks = makeMarks();
     const scene = new THREE.Scene();
@@ -256,6 +291,13 @@ const MedialVoxelScene = (() => {
       return { target, distance: Math.max(...distances) };
     }
 
+    // 0: all
+    function chooseWall(number) {
+      uniforms.isOneWall.value = number > 0;
+      sheet.wall.forEach((wall, at) => (walls.isChosen[at] = wall === number ? 1 : 0));
+      [surface, singles].forEach(({ geometry }) => (geometry.attributes.isChosen.needsUpdate = true));
+    }
+
     function resize() {
       const { clientWidth, clientHeight } = canvas.parentElement;
       uniforms.pixelRatio.value = Math.min(window.devicePixelRatio, 2);
@@ -310,7 +352,8 @@ const MedialVoxelScene = (() => {
       caster.setFromCamera(new THREE.Vector2(x, y), camera);
       const isImportant = ({ face }) => sheet.importance[face.a] >= uniforms.least.value;
       const hit = caster.intersectObject(surface).find((found) => isShown(found.point) && isImportant(found));
-      return hit ? { point: hit.point, thickness: sheet.thickness[hit.face.a], isKnown: sheet.isKnown[hit.face.a] > 0 } : null;
+      const at = hit?.face.a;
+      return hit ? { point: hit.point, thickness: sheet.thickness[at], isKnown: sheet.isKnown[at] > 0, wall: sheet.wall[at] } : null;
     }
 
     // Whether the point of the sheet that is nearest to a place is in its largest piece.
@@ -325,13 +368,16 @@ const MedialVoxelScene = (() => {
     }
 
     return {
-      camera, marks, resize, render, setCut, pick, placeTicks, choosePieces, showPart, fit, isInMainPiece,
+      camera, marks, resize, render, setCut, pick, placeTicks, choosePieces, showPart, fit, isInMainPiece, chooseWall,
       getRadius: () => radius,
       hideBefore: (depth) => (uniforms.nearest.value = depth),
       hideBelow: (importance) => (uniforms.least.value = importance),
-      colorByLimits: (is) => (uniforms.isByLimits.value = is),
+      colorBy: (choice) => {
+        uniforms.isByLimits.value = choice === "limits";
+        uniforms.isByWall.value = choice === "wall";
+      },
     };
   }
 
-  return { make, makeStep, CLASSES };
+  return { make, makeStep, getWallColor: (wall) => WALLS[getColorOfWall(wall)], CLASSES };
 })();

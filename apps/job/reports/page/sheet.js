@@ -36,7 +36,7 @@ const MedialVoxelSheet = (() => {
     };
   }
 
-  // Blocks, indices of their points in the volume, thickness, whether it is known, and the thickness of the importance.
+  // Blocks, indices of their points in the volume, thickness, whether it is known, the thickness of the importance, and the wall.
   function decodePoints(bytes, data) {
     const reader = makeReader(bytes);
     const number = data.points;
@@ -50,6 +50,7 @@ const MedialVoxelSheet = (() => {
       isKnown: new Float32Array(number),
       isMeasured: new Uint8Array(number),
       importance: new Float32Array(number),
+      wall: new Uint32Array(number),
     };
     let key = 0;
     for (let point = 0; point < number; ++point) {
@@ -66,6 +67,7 @@ const MedialVoxelSheet = (() => {
       points.isKnown[point] = code >= FIRST_LENGTH;
       points.thickness[point] = code >= FIRST_LENGTH ? (code - FIRST_LENGTH) * data.lengthUnit : 0;
       points.importance[point] = data.importance[1] > 0 ? reader.number() : 0;
+      points.wall[point] = data.walls !== undefined ? reader.number() : 0;
     }
     return points;
   }
@@ -270,6 +272,7 @@ const MedialVoxelSheet = (() => {
       thickness: points.thickness,
       isKnown: points.isKnown,
       importance: points.importance,
+      wall: points.wall,
     };
   }
 

@@ -9,6 +9,7 @@
   const canvas = element("canvas");
   const data = JSON.parse(element("data").textContent);
   const rows = [...document.querySelectorAll("tr.place")];
+  const wallRows = data.walls ? [...document.querySelectorAll("tr.wall")] : [];
   const format = (value) => String(Number(value.toPrecision(4)));
   const formatPoint = (point) => point.map(format).join(", ");
   const inUnits = data.lengths ? " " + data.lengths : "";
@@ -60,10 +61,15 @@
     return texts.flatMap((text, i) => (text ? [makeClass(text, "", { background: MedialVoxelScene.CLASSES[i] })] : []));
   }
 
-  function showLegend(isByLimits) {
+  function showLegend(choice) {
+    if (choice === "wall") {
+      const title = makeElement("span", "title", "Colors of the walls in their table");
+      element("legend").replaceChildren(title, makeClass("no wall, as at rims", "", { background: MedialVoxelScene.getWallColor(0) }));
+      return;
+    }
     element("legend").replaceChildren(
       makeElement("span", "title", `Thickness, ${data.lengths}`),
-      ...(isByLimits ? makeClasses() : makeScale()),
+      ...(choice === "limits" ? makeClasses() : makeScale()),
       makeClass("rim or junction, in the color of the nearest wall", "rim")
     );
   }
@@ -87,6 +93,7 @@
     const controls = new THREE.OrbitControls(camera, canvas);
     const calm = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
     let selected = -1;
+    let chosenWall = 0;
     let flight = null;
     let isAsked = false;
     let isWhole = true; // as it is shown at first
@@ -181,9 +188,29 @@
     }
 
     function color() {
-      const isByLimits = Boolean(limits.below || limits.above) && element("color").value === "limits";
-      scene.colorByLimits(isByLimits);
-      showLegend(isByLimits);
+      scene.colorBy(element("color").value);
+      showLegend(element("color").value);
+      ask();
+    }
+
+    // This one in its color and the others faint; again, or 0: all.
+    function chooseWall(number) {
+      chosenWall = number === chosenWall ? 0 : number;
+      scene.chooseWall(chosenWall);
+      wallRows.forEach((row, i) => {
+        row.classList.toggle("seen", i + 1 === chosenWall);
+        row.querySelector("button").setAttribute("aria-pressed", String(i + 1 === chosenWall));
+      });
+      section.dataset.wall = String(chosenWall);
+      if (chosenWall > 0) {
+        element("color").value = "wall";
+        color();
+        if (!element("pieces").checked && sheet.wall.some((wall, at) => wall === chosenWall && !sheet.isMain[at])) {
+          element("pieces").checked = true;
+          choosePieces();
+        }
+      }
+      say(chosenWall > 0 ? `Wall ${chosenWall}; the others are faint` : "");
       ask();
     }
 
@@ -214,7 +241,11 @@
       Object.assign(element("importance"), { min: least, max: most, value: least });
       chooseImportance();
       const others = 1 - sheet.isMain.reduce((sum, is) => sum + is, 0) / sheet.isMain.length;
-      element("color-label").hidden = !limits.below && !limits.above;
+      const has = { limits: limits.below || limits.above, wall: data.walls };
+      [...element("color").options].filter(({ value }) => value && !has[value]).forEach((option) => option.remove());
+      element("color-label").hidden = element("color").length < 2;
+      element("wall-keys").hidden = !data.walls;
+      data.walls && chooseWall(0);
       element("pieces-label").hidden = others === 0;
       element("pieces-text").textContent = `Other pieces, ${(100 * others).toFixed(1)} % of the sheet`;
       section.dataset.others = String(others);
@@ -322,7 +353,10 @@
       "]": () => moveCut(4),
       s: () => element("surface").click(),
       Home: showWhole,
-      Escape: showWhole,
+      Escape: () => {
+        data.walls && chooseWall(0);
+        showWhole();
+      },
     };
 
     function pressKey(event) {
@@ -353,26 +387,32 @@
         if (hit) {
           const point = hit.point.toArray().map((value, axis) => value + sheet.frame.middle[axis]);
           const length = hit.isKnown ? "thickness " + format(hit.thickness) + inUnits : "a rim or junction, without a thickness";
-          say(`At ${formatPoint(point)}: ${length}`);
+          say(`At ${formatPoint(point)}: ${length}${hit.wall > 0 ? `, wall ${hit.wall}` : ""}`);
         }
       });
     }
 
     // The number of a row becomes a button, which keys reach.
+    function listenToRow(row, label, show) {
+      const button = document.createElement("button");
+      const cell = row.cells[0];
+      button.type = "button";
+      button.textContent = cell.textContent;
+      button.setAttribute("aria-label", label);
+      cell.replaceChildren(button);
+      row.addEventListener("click", () => {
+        element("stage").scrollIntoView({ block: "nearest", behavior: calm ? "auto" : "smooth" });
+        canvas.focus({ preventScroll: true });
+        show();
+      });
+    }
+
     function listenToRows() {
       document.body.classList.add("with-view");
-      rows.forEach((row, number) => {
-        const button = document.createElement("button");
-        const cell = row.cells[0];
-        button.type = "button";
-        button.textContent = cell.textContent;
-        button.setAttribute("aria-label", "Fly to " + row.dataset.text);
-        cell.replaceChildren(button);
-        row.addEventListener("click", () => {
-          element("stage").scrollIntoView({ block: "nearest", behavior: calm ? "auto" : "smooth" });
-          canvas.focus({ preventScroll: true });
-          showPlace(number);
-        });
+      rows.forEach((row, number) => listenToRow(row, "Fly to " + row.dataset.text, () => showPlace(number)));
+      wallRows.forEach((row, i) => {
+        listenToRow(row, `Show wall ${i + 1}`, () => chooseWall(i + 1));
+        row.cells[0].prepend(makeElement("i", "object", "", { background: MedialVoxelScene.getWallColor(i + 1) }));
       });
     }
 
