@@ -24,6 +24,7 @@ struct Cell
 {
   itk::MedialVoxelIndex index;
   SheetPoints::Sums     sums;
+  std::uint64_t         importance{ 0 };
 };
 
 SheetPoints::Sums
@@ -55,13 +56,16 @@ MakeCells(unsigned int number)
   std::vector<Cell> cells;
   for (const itk::MedialVoxelIndex & index : indices)
   {
-    cells.push_back({ index, MakeSums(index, random() % 5 * 64) });
+    // The first ones have none.
+    const bool isImportant = cells.size() > number / 4 && random() % 3 == 0;
+    cells.push_back({ index, MakeSums(index, random() % 5 * 64), isImportant ? random() % 1000 : 0 });
   }
   return cells;
 }
 
-/** Blocks and sums as (cells, sums of indices, thickness, measured, unpaired), by z, y, x. */
-using Rows = std::vector<std::tuple<Block, std::uint64_t, Block, std::uint64_t, std::uint64_t, std::uint64_t>>;
+/** Blocks and sums as (cells, sums of indices, thickness, measured, unpaired), and importance, by z, y, x. */
+using Rows =
+  std::vector<std::tuple<Block, std::uint64_t, Block, std::uint64_t, std::uint64_t, std::uint64_t, std::uint64_t>>;
 
 Rows
 MakeRows(const SheetPoints & points)
@@ -69,7 +73,8 @@ MakeRows(const SheetPoints & points)
   Rows rows;
   points.ForEachPoint([&](const SheetPoints::Point & point) {
     const SheetPoints::Sums & sums = point.sums;
-    rows.emplace_back(point.block, sums.cells, sums.index, sums.thickness, sums.measured, sums.unpaired);
+    rows.emplace_back(
+      point.block, sums.cells, sums.index, sums.thickness, sums.measured, sums.unpaired, point.importance);
   });
   return rows;
 }
@@ -78,7 +83,7 @@ MakeRows(const SheetPoints & points)
 Rows
 MakeExpectedRows(const std::vector<Cell> & cells, std::size_t budget, unsigned int & level)
 {
-  std::map<Block, SheetPoints::Sums> blocks; // by z, y, x
+  std::map<Block, Cell> blocks; // by z, y, x
   for (level = 0;; ++level)
   {
     blocks.clear();
@@ -89,7 +94,8 @@ MakeExpectedRows(const std::vector<Cell> & cells, std::size_t budget, unsigned i
       {
         block[2 - axis] = static_cast<std::uint64_t>(cell.index[axis]) / (std::uint64_t{ 1 } << level);
       }
-      blocks[block].Add(cell.sums);
+      blocks[block].sums.Add(cell.sums);
+      blocks[block].importance = std::max(blocks[block].importance, cell.importance);
     }
     if (blocks.size() <= budget)
     {
@@ -97,10 +103,16 @@ MakeExpectedRows(const std::vector<Cell> & cells, std::size_t budget, unsigned i
     }
   }
   Rows rows;
-  for (const auto & [block, sums] : blocks)
+  for (const auto & [block, cell] : blocks)
   {
-    rows.emplace_back(
-      Block{ { block[2], block[1], block[0] } }, sums.cells, sums.index, sums.thickness, sums.measured, sums.unpaired);
+    const SheetPoints::Sums & sums = cell.sums;
+    rows.emplace_back(Block{ { block[2], block[1], block[0] } },
+                      sums.cells,
+                      sums.index,
+                      sums.thickness,
+                      sums.measured,
+                      sums.unpaired,
+                      cell.importance);
   }
   return rows;
 }
@@ -111,7 +123,7 @@ Collect(const std::vector<Cell> & cells, std::size_t budget)
   SheetPoints points(Size, budget);
   for (const Cell & cell : cells)
   {
-    points.Add(cell.index, cell.sums);
+    points.Add(cell.index, cell.sums, cell.importance);
   }
   return points;
 }

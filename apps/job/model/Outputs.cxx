@@ -175,6 +175,12 @@ NumbersWalls(const ExtractOptions & options)
 }
 
 bool
+FindsImportance(const ExtractOptions & options)
+{
+  return !options.importanceFile.empty() || !options.importanceThresholdFile.empty();
+}
+
+bool
 MeasuresWalls(const ExtractOptions & options)
 {
   const auto & kinds = ListOutputKinds(options);

@@ -129,6 +129,10 @@ ListVolumeNames(const TOptions & options)
 bool
 NumbersWalls(const ExtractOptions & options);
 
+/** Whether an output needs the importance of cells. */
+bool
+FindsImportance(const ExtractOptions & options);
+
 /** Whether one of the volumes or the list of places shows measures of walls. */
 bool
 MeasuresWalls(const ExtractOptions & options);

@@ -85,7 +85,7 @@ CheckLabelOptions(const ExtractOptions & options)
     { "smoothing", options.smoothing.value_or(Smoothing::Off) != Smoothing::Off, oneObject },
     { "vectors", !options.vectorFile.empty(), oneObject },
     { "distances", !options.distanceFile.empty(), oneObject },
-    { "an importance", !options.importanceFile.empty() || !options.importanceThresholdFile.empty(), oneObject },
+    { "an importance", FindsImportance(options), oneObject },
     { "walls", NumbersWalls(options), oneObject },
     { "a local thickness", !options.localThicknessFile.empty(), oneObject },
     { "thin or thick places", ListsPlaces(options), oneObject },

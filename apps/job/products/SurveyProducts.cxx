@@ -206,11 +206,14 @@ public:
     constexpr std::uint64_t perPixel = 3;
     const PreviewLayout     layout = ArrangePreview(header.geometry);
     const unsigned int      pictures = m_Options.thicknessFile.empty() ? 1 : 2;
-    footprint.beside += pictures * perPixel * layout.width * layout.height + GetPageViewMemory(header.geometry);
+    const bool              hasImportance = FindsImportance(m_Options);
+    const unsigned int      numbers = (hasImportance ? 1 : 0) + (NumbersWalls(m_Options) ? 1 : 0);
+    footprint.beside += pictures * perPixel * layout.width * layout.height;
+    footprint.beside += GetPageViewMemory(header.geometry, numbers);
     footprint.beside += ListsPlaces(m_Options) ? GetSectionMemory() : 0;
     if (HasPageViewer())
     {
-      footprint.Add(SheetSurvey::GetFootprint(header.geometry));
+      footprint.Add(SheetSurvey::GetFootprint(header.geometry, hasImportance));
     }
   }
 

@@ -23,8 +23,11 @@ constexpr const char * Library = "three.js";
 constexpr const char * Controls = "OrbitControls.js";
 constexpr const char * License = "license";
 
-/** Bytes of a point: distance from the one before, three places in its block, its thickness, importance and wall. */
-constexpr std::uint64_t LongestPoint = 5 + 3 + 5 + 5 + 5;
+/** Bytes of a point: distance from the one before, three places in its block, and its thickness. */
+constexpr std::uint64_t LongestPoint = 5 + 3 + 5;
+
+/** Bytes of the importance of a point, and of its wall. */
+constexpr std::uint64_t LongestNumber = 5;
 
 /** Bytes of a part: a run at each side of a face and one between. */
 constexpr std::uint64_t LongestPart = 10 * PartBlocks::DefaultBudget;
@@ -75,8 +78,8 @@ FindImportances(const SheetPoints & points)
 {
   std::pair<std::uint64_t, std::uint64_t> ends{ std::numeric_limits<std::uint64_t>::max(), 0 };
   points.ForEachPoint([&](const SheetPoints::Point & point) {
-    ends.first = std::min(ends.first, point.sums.importance);
-    ends.second = std::max(ends.second, point.sums.importance);
+    ends.first = std::min(ends.first, point.importance);
+    ends.second = std::max(ends.second, point.importance);
   });
   return ends;
 }
@@ -99,7 +102,7 @@ EncodePoints(const PageSheet & shown)
       bytes.push_back(GetPlaceInBlock(point, axis, points.GetLevel()));
     }
     AddNumber(bytes, GetCode(point.sums));
-    hasImportance ? AddNumber(bytes, point.sums.importance) : void();
+    hasImportance ? AddNumber(bytes, point.importance) : void();
     wall != shown.walls.end() ? AddNumber(bytes, *wall++) : void();
   });
   return bytes;
@@ -226,12 +229,13 @@ AddPageScripts(std::string & page, const PageSheet & shown, const VolumeGeometry
 }
 
 std::uint64_t
-GetPageViewMemory(const VolumeGeometry & geometry)
+GetPageViewMemory(const VolumeGeometry & geometry, const unsigned int numbers)
 {
   // Text of points and part, and the page twice while it grows.
   constexpr std::uint64_t copies = 3;
   const std::uint64_t     points = std::min<std::uint64_t>(SheetPoints::DefaultBudget, geometry.GetNumberOfVoxels());
-  return copies * (GetEncodedSize(LongestPoint * points + LongestPart) + GetPageFileSize()) +
+  return copies *
+           (GetEncodedSize((LongestPoint + numbers * LongestNumber) * points + LongestPart) + GetPageFileSize()) +
          PartBlocks(geometry.size).GetBytesOfGrid();
 }
 

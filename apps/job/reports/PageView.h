@@ -42,9 +42,9 @@ HasView(const PageSheet & shown, const VolumeGeometry & geometry);
 void
 AddPageScripts(std::string & page, const PageSheet & shown, const VolumeGeometry & geometry, const std::string & unit);
 
-/** Memory of the text, also while the page grows. */
+/** Memory of the text, also while the page grows. \param numbers that points have, of the importance and the wall */
 std::uint64_t
-GetPageViewMemory(const VolumeGeometry & geometry);
+GetPageViewMemory(const VolumeGeometry & geometry, unsigned int numbers);
 
 } // end namespace medialvoxel
 

@@ -49,7 +49,6 @@ SheetPoints::Sums::Add(const Sums & other)
   thickness += other.thickness;
   measured += other.measured;
   unpaired += other.unpaired;
-  importance = std::max(importance, other.importance);
 }
 
 SheetPoints::SheetPoints(const std::vector<std::uint64_t> & size, std::size_t budget)
@@ -65,6 +64,7 @@ void
 SheetPoints::Clear(unsigned int level)
 {
   m_Blocks.clear();
+  m_Importance.clear();
   std::fill(m_Numbers.begin(), m_Numbers.end(), 0);
   m_Level = std::max(GetFirstLevel(m_Size), level);
 }
@@ -91,34 +91,39 @@ SheetPoints::GetNumberOfBlocks() const
 }
 
 void
-SheetPoints::Add(const itk::MedialVoxelIndex & cell, const Sums & sums)
+SheetPoints::Add(const itk::MedialVoxelIndex & cell, const Sums & sums, const std::uint64_t importance)
 {
   this->AddAt({ { static_cast<std::uint64_t>(cell[0]),
                   static_cast<std::uint64_t>(cell[1]),
                   static_cast<std::uint64_t>(cell[2]) } },
               0,
-              sums);
+              sums,
+              importance);
 }
 
 void
 SheetPoints::Add(const SheetPoints & other)
 {
   this->CoarsenTo(other.m_Level);
-  for (const Block & block : other.m_Blocks)
+  for (std::size_t i = 0; i < other.m_Blocks.size(); ++i)
   {
-    this->AddAt(GetBlock(block.key), other.m_Level, block.sums);
+    const Block & block = other.m_Blocks[i];
+    this->AddAt(GetBlock(block.key), other.m_Level, block.sums, other.GetImportance(i));
   }
 }
 
 /** \param level of the block, not above that of the points */
 void
-SheetPoints::AddAt(std::array<std::uint64_t, 3> block, unsigned int level, const Sums & sums)
+SheetPoints::AddAt(std::array<std::uint64_t, 3> block,
+                   unsigned int                 level,
+                   const Sums &                 sums,
+                   const std::uint64_t          importance)
 {
   for (std::uint64_t & index : block)
   {
     index >>= m_Level - level;
   }
-  this->AddToBlock(GetKey(block), sums);
+  this->AddToBlock(GetKey(block), sums, importance);
   while (m_Blocks.size() > m_Budget)
   {
     this->CoarsenTo(m_Level + 1);
@@ -144,12 +149,21 @@ SheetPoints::FindNumber(const KeyType key)
 }
 
 void
-SheetPoints::AddToBlock(const KeyType key, const Sums & sums)
+SheetPoints::AddToBlock(const KeyType key, const Sums & sums, const std::uint64_t importance)
 {
+  const auto raise = [this, importance](const std::size_t block) {
+    if (importance > 0 || !m_Importance.empty())
+    {
+      m_Importance.reserve(m_Blocks.capacity());
+      m_Importance.resize(m_Blocks.size());
+      m_Importance[block] = std::max(m_Importance[block], importance);
+    }
+  };
   std::uint32_t * number = &this->FindNumber(key);
   if (*number != 0)
   {
     m_Blocks[*number - 1].sums.Add(sums);
+    raise(*number - 1);
     return;
   }
   // Half of the places stay free, so that searches are short.
@@ -160,6 +174,7 @@ SheetPoints::AddToBlock(const KeyType key, const Sums & sums)
   }
   m_Blocks.push_back({ key, sums });
   *number = static_cast<std::uint32_t>(m_Blocks.size());
+  raise(m_Blocks.size() - 1);
 }
 
 /** Twice as many places. */
@@ -186,8 +201,10 @@ SheetPoints::CoarsenTo(unsigned int level)
   const unsigned int levels = level - m_Level;
   std::size_t        left = 0;
   std::fill(m_Numbers.begin(), m_Numbers.end(), 0);
-  for (const Block & fine : m_Blocks)
+  for (std::size_t i = 0; i < m_Blocks.size(); ++i)
   {
+    const Block                  fine = m_Blocks[i];
+    const std::uint64_t          importance = this->GetImportance(i);
     std::array<std::uint64_t, 3> block = GetBlock(fine.key);
     for (std::uint64_t & index : block)
     {
@@ -195,31 +212,40 @@ SheetPoints::CoarsenTo(unsigned int level)
     }
     const KeyType   key = GetKey(block);
     std::uint32_t & number = this->FindNumber(key);
-    if (number != 0)
+    const bool      isNew = number == 0;
+    if (isNew)
+    {
+      m_Blocks[left] = { key, fine.sums };
+      number = static_cast<std::uint32_t>(++left);
+    }
+    else
     {
       m_Blocks[number - 1].sums.Add(fine.sums);
-      continue;
     }
-    m_Blocks[left] = { key, fine.sums };
-    number = static_cast<std::uint32_t>(++left);
+    if (!m_Importance.empty())
+    {
+      std::uint64_t & ofBlock = m_Importance[number - 1];
+      ofBlock = isNew ? importance : std::max(ofBlock, importance);
+    }
   }
   m_Blocks.resize(left);
+  m_Importance.resize(m_Importance.empty() ? 0 : left);
   m_Level = level;
 }
 
 void
 SheetPoints::ForEachPoint(const std::function<void(const Point & point)> & function) const
 {
-  std::vector<std::pair<KeyType, const Sums *>> sorted;
+  std::vector<std::pair<KeyType, std::size_t>> sorted;
   sorted.reserve(m_Blocks.size());
-  for (const Block & block : m_Blocks)
+  for (std::size_t i = 0; i < m_Blocks.size(); ++i)
   {
-    sorted.emplace_back(block.key, &block.sums);
+    sorted.emplace_back(m_Blocks[i].key, i);
   }
   std::sort(sorted.begin(), sorted.end());
-  for (const auto & [key, sums] : sorted)
+  for (const auto & [key, i] : sorted)
   {
-    function({ GetBlock(key), *sums });
+    function({ GetBlock(key), m_Blocks[i].sums, this->GetImportance(i) });
   }
 }
 
@@ -267,7 +293,7 @@ SheetPoints::Save(NumberWriter & numbers) const
     numbers.Add(point.sums.thickness);
     numbers.Add(point.sums.measured);
     numbers.Add(point.sums.unpaired);
-    numbers.Add(point.sums.importance);
+    numbers.Add(point.importance);
   });
 }
 
@@ -304,8 +330,8 @@ SheetPoints::Merge(NumberReader & numbers)
     sums.thickness = numbers.Get();
     sums.measured = numbers.Get();
     sums.unpaired = numbers.Get();
-    sums.importance = numbers.Get();
-    this->AddAt(block, static_cast<unsigned int>(level), sums);
+    const std::uint64_t importance = numbers.Get();
+    this->AddAt(block, static_cast<unsigned int>(level), sums, importance);
   }
 }
 
@@ -317,13 +343,13 @@ SheetPoints::GetMostNumbers() const
 }
 
 std::uint64_t
-SheetPoints::GetBytes(const VolumeGeometry & geometry, std::size_t budget)
+SheetPoints::GetBytes(const VolumeGeometry & geometry, const bool hasImportance, std::size_t budget)
 {
   // A block while it is copied to more memory, up to four places for its number, and an entry to sort it.
   constexpr std::uint64_t bytesPerPoint =
-    sizeof(Block) * 3 / 2 + 4 * sizeof(std::uint32_t) + sizeof(KeyType) + sizeof(Sums *);
+    sizeof(Block) * 3 / 2 + 4 * sizeof(std::uint32_t) + sizeof(std::pair<KeyType, std::size_t>);
   const std::uint64_t points = std::min<std::uint64_t>(budget + 1, geometry.GetNumberOfVoxels());
-  return points * bytesPerPoint;
+  return points * (bytesPerPoint + (hasImportance ? sizeof(std::uint64_t) * 3 / 2 : 0));
 }
 
 } // end namespace medialvoxel

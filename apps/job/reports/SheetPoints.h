@@ -33,11 +33,10 @@ public:
   struct Sums
   {
     std::uint64_t                cells{ 0 };
-    std::array<std::uint64_t, 3> index{};         ///< sums of their indices
-    std::uint64_t                thickness{ 0 };  ///< sum over cells with a thickness, in a unit of the caller
-    std::uint64_t                measured{ 0 };   ///< cells with a thickness
-    std::uint64_t                unpaired{ 0 };   ///< measured ones of walls without a thickness
-    std::uint64_t                importance{ 0 }; ///< the largest one, in this unit too
+    std::array<std::uint64_t, 3> index{};        ///< sums of their indices
+    std::uint64_t                thickness{ 0 }; ///< sum over cells with a thickness, in a unit of the caller
+    std::uint64_t                measured{ 0 };  ///< cells with a thickness
+    std::uint64_t                unpaired{ 0 };  ///< measured ones of walls without a thickness
 
     void
     Add(const Sums & other);
@@ -48,6 +47,7 @@ public:
   {
     std::array<std::uint64_t, 3> block; ///< index of the block along each axis
     const Sums &                 sums;
+    std::uint64_t                importance; ///< the largest one, in the unit of the thickness; 0 where it is not found
   };
 
   /** \param size   of the image, in voxels
@@ -60,7 +60,7 @@ public:
 
   /** Adds cells of the block that \a cell is in. */
   void
-  Add(const itk::MedialVoxelIndex & cell, const Sums & sums);
+  Add(const itk::MedialVoxelIndex & cell, const Sums & sums, std::uint64_t importance = 0);
 
   /** Adds all cells of another one of the same image and budget. */
   void
@@ -105,7 +105,7 @@ public:
 
   /** Memory that it takes, also while the blocks grow, or while it goes through them in their order. */
   static std::uint64_t
-  GetBytes(const VolumeGeometry & geometry, std::size_t budget = DefaultBudget);
+  GetBytes(const VolumeGeometry & geometry, bool hasImportance, std::size_t budget = DefaultBudget);
 
 private:
   using KeyType = std::uint64_t;
@@ -123,7 +123,7 @@ private:
   GetBlock(KeyType key);
 
   void
-  AddAt(std::array<std::uint64_t, 3> block, unsigned int level, const Sums & sums);
+  AddAt(std::array<std::uint64_t, 3> block, unsigned int level, const Sums & sums, std::uint64_t importance);
 
   void
   CoarsenTo(unsigned int level);
@@ -132,7 +132,13 @@ private:
   FindNumber(KeyType key);
 
   void
-  AddToBlock(KeyType key, const Sums & sums);
+  AddToBlock(KeyType key, const Sums & sums, std::uint64_t importance);
+
+  std::uint64_t
+  GetImportance(std::size_t block) const
+  {
+    return m_Importance.empty() ? 0 : m_Importance[block];
+  }
 
   void
   MakeRoom();
@@ -141,7 +147,8 @@ private:
   std::size_t                  m_Budget;
   unsigned int                 m_Level{ 0 };
   std::vector<Block>           m_Blocks;
-  std::vector<std::uint32_t>   m_Numbers; // of blocks from 1 on, hashed by their keys; 0: none
+  std::vector<std::uint64_t>   m_Importance; // of the blocks; empty while all are 0
+  std::vector<std::uint32_t>   m_Numbers;    // of blocks from 1 on, hashed by their keys; 0: none
   unsigned int                 m_Shift{ 0 };
 };
 

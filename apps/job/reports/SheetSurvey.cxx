@@ -103,8 +103,8 @@ ForEachBlock(const itk::MedialVoxelClassifiedTile & tile,
       cell[0] += first;
       const WordType inBlock = rest & GetBlockMask(cell[0], first, level);
       rest &= ~inBlock;
-      SheetPoints::Sums sums = SumCells(row, inBlock);
-      sums.importance = tile.importance != nullptr ? FindImportance(tile, row, inBlock, lengthUnit) : 0;
+      SheetPoints::Sums   sums = SumCells(row, inBlock);
+      const std::uint64_t importance = tile.importance != nullptr ? FindImportance(tile, row, inBlock, lengthUnit) : 0;
       for (WordType measured = row.measured & inBlock; measured != 0; measured &= measured - 1, ++wall)
       {
         if ((measured & (~measured + 1) & counting) != 0)
@@ -112,19 +112,17 @@ ForEachBlock(const itk::MedialVoxelClassifiedTile & tile,
           AddWall(*wall, lengthUnit, sums);
         }
       }
-      function(cell, sums);
+      function(cell, sums, importance);
     }
   }
 }
 
-/** The sums of all blocks of a tile: seven eighths of a byte for each of its voxels at the least level. */
+/** The sums of all blocks of a tile: a byte for each of its voxels at the least level. */
 class BlocksOfTile
 {
 public:
   /** A tile has too many smaller blocks. */
   static constexpr unsigned int LeastLevel = 2;
-
-  static_assert(sizeof(SheetPoints::Sums) <= SheetSurvey::PerVoxelOfTile << (3 * LeastLevel));
 
   BlocksOfTile(const itk::MedialVoxelBox & tile, unsigned int level)
     : m_Level(level)
@@ -134,28 +132,30 @@ public:
       m_Blocks.lower[axis] = tile.lower[axis] >> level;
       m_Blocks.upper[axis] = ((tile.upper[axis] - 1) >> level) + 1;
     }
-    m_Sums.resize(static_cast<std::size_t>(m_Blocks.NumberOfVoxels()));
+    m_Rows.resize(static_cast<std::size_t>(m_Blocks.NumberOfVoxels()));
   }
 
   void
-  Add(const itk::MedialVoxelIndex & cell, const SheetPoints::Sums & sums)
+  Add(const itk::MedialVoxelIndex & cell, const SheetPoints::Sums & sums, const std::uint64_t importance)
   {
-    m_Sums[m_Blocks.OffsetOf({ { cell[0] >> m_Level, cell[1] >> m_Level, cell[2] >> m_Level } })].Add(sums);
+    Row & row = m_Rows[m_Blocks.OffsetOf({ { cell[0] >> m_Level, cell[1] >> m_Level, cell[2] >> m_Level } })];
+    row.sums.Add(sums);
+    row.importance = std::max(row.importance, importance);
   }
 
   void
   AddTo(SheetPoints & points) const
   {
-    auto sums = m_Sums.begin();
+    auto row = m_Rows.begin();
     for (std::int64_t z = m_Blocks.lower[2]; z < m_Blocks.upper[2]; ++z)
     {
       for (std::int64_t y = m_Blocks.lower[1]; y < m_Blocks.upper[1]; ++y)
       {
-        for (std::int64_t x = m_Blocks.lower[0]; x < m_Blocks.upper[0]; ++x, ++sums)
+        for (std::int64_t x = m_Blocks.lower[0]; x < m_Blocks.upper[0]; ++x, ++row)
         {
-          if (sums->cells > 0)
+          if (row->sums.cells > 0)
           {
-            points.Add({ { x << m_Level, y << m_Level, z << m_Level } }, *sums);
+            points.Add({ { x << m_Level, y << m_Level, z << m_Level } }, row->sums, row->importance);
           }
         }
       }
@@ -163,9 +163,17 @@ public:
   }
 
 private:
-  unsigned int                   m_Level;
-  itk::MedialVoxelBox            m_Blocks;
-  std::vector<SheetPoints::Sums> m_Sums; // x fastest
+  struct Row
+  {
+    SheetPoints::Sums sums;
+    std::uint64_t     importance{ 0 };
+  };
+
+  static_assert(sizeof(Row) <= SheetSurvey::PerVoxelOfTile << (3 * LeastLevel));
+
+  unsigned int        m_Level;
+  itk::MedialVoxelBox m_Blocks;
+  std::vector<Row>    m_Rows; // x fastest
 };
 
 } // namespace
@@ -196,14 +204,12 @@ SheetSurvey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace *)
   const unsigned int level = m_Pending.GetLevel();
   if (level < BlocksOfTile::LeastLevel)
   {
-    ForEachBlock(
-      tile, m_Sample, m_LengthUnit, level, [this](const auto & cell, const auto & sums) { m_Pending.Add(cell, sums); });
+    ForEachBlock(tile, m_Sample, m_LengthUnit, level, [this](const auto &... block) { m_Pending.Add(block...); });
     return;
   }
   lock.unlock();
   BlocksOfTile blocks(tile.box, level);
-  ForEachBlock(
-    tile, m_Sample, m_LengthUnit, level, [&blocks](const auto & cell, const auto & sums) { blocks.Add(cell, sums); });
+  ForEachBlock(tile, m_Sample, m_LengthUnit, level, [&blocks](const auto &... block) { blocks.Add(block...); });
   lock.lock();
   blocks.AddTo(m_Pending);
 }
@@ -250,9 +256,9 @@ SheetSurvey::Merge(const std::string & bytes)
 }
 
 ProductFootprint
-SheetSurvey::GetFootprint(const VolumeGeometry & geometry)
+SheetSurvey::GetFootprint(const VolumeGeometry & geometry, const bool hasImportance)
 {
-  const std::uint64_t ofRunAndAll = 2 * SheetPoints::GetBytes(geometry);
+  const std::uint64_t ofRunAndAll = 2 * SheetPoints::GetBytes(geometry, hasImportance);
   // Three bytes for each number on the average, and the packed ones.
   constexpr std::uint64_t perPoint = 2 * 8 * 3;
   const std::uint64_t     points = std::min<std::uint64_t>(SheetPoints::DefaultBudget, geometry.GetNumberOfVoxels());

@@ -76,7 +76,7 @@ public:
 
   /** Memory of a run. */
   static ProductFootprint
-  GetFootprint(const VolumeGeometry & geometry);
+  GetFootprint(const VolumeGeometry & geometry, bool hasImportance);
 
 private:
   double      m_LengthUnit;

@@ -165,7 +165,7 @@ ListTasks(const ExtractOptions & options, const VolumeHeader & header)
   extraction.measuresThickness = MeasuresWalls(options);
   extraction.findsLevels = options.sameTopology;
   extraction.findsImportanceThreshold = !options.importanceThresholdFile.empty();
-  extraction.findsImportance = extraction.findsImportanceThreshold || !options.importanceFile.empty();
+  extraction.findsImportance = FindsImportance(options);
   extraction.grayRange = range;
   if (!options.vectorFile.empty())
   {
