@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "HtmlReport.h"
+#include "Outputs.h"
 #include "PlaceSurvey.h"
 #include "PlaceJson.h"
 #include "PlaceSections.h"
