@@ -116,7 +116,7 @@ CheckListing()
 TEST(MedialVoxelOutputs, OfAnExtractionAreListed)
 {
   CheckListing<ExtractOptions>();
-  EXPECT_EQ(ListVolumeNames(AskForAll<ExtractOptions>()).size(), 9);
+  EXPECT_EQ(ListVolumeNames(AskForAll<ExtractOptions>()).size(), 10);
 }
 
 TEST(MedialVoxelOutputs, OfDistancesAreListed)
