@@ -169,7 +169,7 @@ def topology_cost(document):
 def importance(document):
     rows = []
     for name, row in document["volumes"].items():
-        cells = row["thicknesses"]
+        cells = {**row["thicknesses"], "automatic": row["automatic"]}
         alike = ", ".join(thickness for thickness, found in cells.items() if found["different_cells"] == 0)
         seconds = (row[way]["cpu_seconds"]["median"] for way in ("labels", "labels and importance"))
         rows.append([name, *(f"{value:.2f}" for value in seconds), f"{row['ratio']:.1f}", alike])
