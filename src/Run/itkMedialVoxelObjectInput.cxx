@@ -246,6 +246,7 @@ void
 MedialVoxelObjectInput::Fill(const MedialVoxelBox & box, const MedialVoxelTargets & targets)
 {
   assert(m_Smoothing != Smoothing::Automatic);
+  assert(!this->IsSmoothed() || targets.object == nullptr || m_Level);
   MedialVoxelValueSource & source = this->GetSource();
   MedialVoxelWithValueType(source.GetValueType(), [&](const auto zero) {
     using ValueType = std::decay_t<decltype(zero)>;
