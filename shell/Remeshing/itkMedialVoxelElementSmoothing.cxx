@@ -49,7 +49,8 @@ public:
   Smoother(Complex &                    complex,
            const MedialVoxelFineSheet & fine,
            const std::vector<Element> & elements,
-           const std::vector<Element> & wanted)
+           const std::vector<Element> & wanted,
+           const MedialVoxelRunTasks &  runTasks)
     : m_Complex(complex)
     , m_Fine(fine)
     , m_Elements(elements)
@@ -65,9 +66,13 @@ public:
       {
         m_ElementsOf[m_Elements[number].corners[k]].push_back(number);
       }
-      m_Qualities.push_back(MedialVoxelShellQuality(complex, m_Elements[number]));
-      m_Limits.push_back(this->GetLimit(m_Elements[number]));
     }
+    m_Qualities.resize(m_Elements.size());
+    m_Limits.resize(m_Elements.size());
+    MedialVoxelForEach(runTasks, m_Elements.size(), [this](const Index number) {
+      m_Qualities[number] = MedialVoxelShellQuality(m_Complex, m_Elements[number]);
+      m_Limits[number] = this->GetLimit(m_Elements[number]);
+    });
   }
 
   /** Divides vertices, and takes from each part the inner ones that no division before has taken. */
@@ -237,7 +242,7 @@ MedialVoxelSmoothElements(Complex &                    complex,
                           const std::vector<Element> & wanted,
                           const MedialVoxelRunTasks &  runTasks)
 {
-  Smoother            smoother(complex, fine, elements, wanted);
+  Smoother            smoother(complex, fine, elements, wanted, runTasks);
   std::vector<Vector> places;
   std::vector<Index>  vertices(complex.GetNumberOfVertices());
   std::iota(vertices.begin(), vertices.end(), Index{ 0 });

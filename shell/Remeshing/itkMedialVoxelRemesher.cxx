@@ -119,12 +119,9 @@ MedialVoxelRemesher::ListSides() const
   std::vector<LengthOfSide> sides;
   for (Index vertex = 0; vertex < m_Complex.GetNumberOfVertices(); ++vertex)
   {
-    for (const Complex::Neighbor & neighbor : m_Complex.FindNeighbors(vertex))
+    for (const Complex::Neighbor & neighbor : m_Complex.FindNeighbors(vertex, vertex + 1))
     {
-      if (vertex < neighbor.vertex)
-      {
-        sides.push_back({ this->GetLength(vertex, neighbor.vertex), vertex, neighbor.vertex });
-      }
+      sides.push_back({ this->GetLength(vertex, neighbor.vertex), vertex, neighbor.vertex });
     }
   }
   return sides;

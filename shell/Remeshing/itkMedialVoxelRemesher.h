@@ -132,10 +132,12 @@ private:
   ListBelow(double limit, const std::function<double(Index)> & getValue) const;
   std::vector<Index>
   ListBad() const;
+  std::vector<Index>
+  ListRimVertices() const;
   void
-  CloseSlits();
+  CloseSlits(const std::vector<Index> & onRims);
   void
-  ZipRims();
+  ZipRims(const std::vector<Index> & candidates);
 
   bool
   TryCollapse(Index from, Index to, bool merging);

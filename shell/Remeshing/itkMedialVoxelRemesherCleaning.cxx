@@ -57,8 +57,9 @@ MedialVoxelRemesher::CleanUp()
   bool found = true;
   for (unsigned int round = 0; found && round < MostRounds; ++round)
   {
-    this->CloseSlits();
-    this->ZipRims();
+    const std::vector<Index> onRims = this->ListRimVertices();
+    this->CloseSlits(onRims);
+    this->ZipRims(onRims);
     found = false;
     for (const Index triangle : this->ListBad())
     {
@@ -298,9 +299,9 @@ MedialVoxelRemesher::TryCloseSlit(const Index triangle)
 
 /** Two triangles over holes of four sides whose opposite vertices are next to one place. */
 void
-MedialVoxelRemesher::CloseSlits()
+MedialVoxelRemesher::CloseSlits(const std::vector<Index> & onRims)
 {
-  for (Index a = 0; a < m_Complex.GetNumberOfVertices(); ++a)
+  for (const Index a : onRims)
   {
     const Complex::Indices ofA = this->FindLineNeighbors(a, Complex::Place::Rim);
     for (std::size_t k = 1; k < ofA.size(); ++k)

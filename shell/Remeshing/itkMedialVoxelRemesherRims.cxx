@@ -75,13 +75,30 @@ private:
 
 } // namespace
 
+std::vector<Index>
+MedialVoxelRemesher::ListRimVertices() const
+{
+  std::vector<char> isOnRim(m_Complex.GetNumberOfVertices()); // bytes, as tasks write them
+  MedialVoxelForEach(
+    m_RunTasks, isOnRim.size(), [&](const Index vertex) { isOnRim[vertex] = m_Complex.IsOnRim(vertex) ? 1 : 0; });
+  std::vector<Index> vertices;
+  for (Index vertex = 0; vertex < isOnRim.size(); ++vertex)
+  {
+    if (isOnRim[vertex] != 0)
+    {
+      vertices.push_back(vertex);
+    }
+  }
+  return vertices;
+}
+
 /** Joins rims that lie on each other, as those of a slit that is narrower than elements can be. */
 void
-MedialVoxelRemesher::ZipRims()
+MedialVoxelRemesher::ZipRims(const std::vector<Index> & candidates)
 {
   std::vector<Rim>   rims;
   std::vector<Index> vertices;
-  for (Index vertex = 0; vertex < m_Complex.GetNumberOfVertices(); ++vertex)
+  for (const Index vertex : candidates)
   {
     const Complex::Indices line = this->FindLineNeighbors(vertex, Complex::Place::Rim);
     for (const Index other : line)
@@ -116,15 +133,12 @@ MedialVoxelRemesher::TryZip(const Index vertex, const Index a, const Index b)
 {
   const double gap = MostOfGap * this->GetSize(vertex, vertex);
   const Vector point = m_Complex.GetPoint(vertex);
-  if (vertex == a || vertex == b || m_Complex.CountTriangles(a, b) != 1 || m_Complex.GetTrianglesOf(vertex).empty())
-  {
-    return false;
-  }
   const Vector side = MedialVoxelSubtract(m_Complex.GetPoint(b), m_Complex.GetPoint(a));
   const Vector toPoint = MedialVoxelSubtract(point, m_Complex.GetPoint(a));
   const double length2 = MedialVoxelDot(side, side);
   const double share = length2 > 0.0 ? std::clamp(MedialVoxelDot(side, toPoint) / length2, 0.0, 1.0) : 0.0;
-  if (MedialVoxelNorm(MedialVoxelAddScaled(toPoint, side, -share)) >= gap)
+  if (vertex == a || vertex == b || MedialVoxelNorm(MedialVoxelAddScaled(toPoint, side, -share)) >= gap ||
+      m_Complex.CountTriangles(a, b) != 1 || m_Complex.GetTrianglesOf(vertex).empty())
   {
     return false;
   }

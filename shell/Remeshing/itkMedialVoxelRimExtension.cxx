@@ -74,6 +74,7 @@ public:
     , m_Limits(limits)
     , m_RunTasks(runTasks)
     , m_Lines(sheet, measure, runTasks)
+    , m_Tree(sheet.points, sheet.triangles, std::vector<Index>(sheet.triangles.size()))
     , m_Shifts(sheet.points.size())
     , m_Across(sheet.points.size())
     , m_IsCut(sheet.points.size())
@@ -230,14 +231,13 @@ private:
   void
   KeepClear()
   {
-    const MedialVoxelSheetTree tree(m_Sheet.points, m_Sheet.triangles, std::vector<Index>(m_Sheet.triangles.size(), 0));
     this->ForEachPoint([&](const Index point) {
       double share = 1.0;
       for (const Vector & shift : this->ListWays(point))
       {
         const double across = std::min(m_Across[point], MedialVoxelNorm(shift));
         const double gap = GapOfThickness * m_Lines.FindThickness(point);
-        const double clear = this->FindClearWay(tree, point, shift, across, 2.0 * across + gap);
+        const double clear = this->FindClearWay(point, shift, across, 2.0 * across + gap);
         share = across > 0.0 ? std::min({ share, clear / across, (clear - gap) / (2.0 * across) }) : share;
       }
       if (share < 1.0 - SamePlace)
@@ -278,11 +278,7 @@ private:
 
   /** How far a way goes, across the rim, before it comes near to the sheet again. */
   double
-  FindClearWay(const MedialVoxelSheetTree & tree,
-               const Index                  point,
-               const Vector &               shift,
-               const double                 across,
-               const double                 most) const
+  FindClearWay(const Index point, const Vector & shift, const double across, const double most) const
   {
     const double near = NearOfThickness * m_Lines.FindThickness(point);
     for (unsigned int step = 1; across > 0.0 && step <= Steps; ++step)
@@ -290,7 +286,7 @@ private:
       const double way = most * step / Steps;
       const Vector place = MedialVoxelAddScaled(m_Lines.PointOf(point), shift, way / across);
       const double least = LeastClearance * way;
-      if (tree.HasWithin(place, 0, way > across ? std::min(least, near) : least))
+      if (m_Tree.HasWithin(place, 0, way > across ? std::min(least, near) : least))
       {
         return most * (step - 1) / Steps;
       }
@@ -349,9 +345,8 @@ private:
     std::atomic<bool> found{ true };
     for (unsigned int round = 0; round < MostRounds && found; ++round)
     {
-      const MedialVoxelSheet     candidate = this->MakeCandidate();
-      const MedialVoxelSheetTree tree(
-        candidate.points, candidate.triangles, std::vector<Index>(candidate.triangles.size(), 0));
+      const MedialVoxelSheet     strips = this->MakeStrips();
+      const MedialVoxelSheetTree tree(strips.points, strips.triangles, std::vector<Index>(strips.triangles.size()));
       found = false;
       this->ForEachPoint([&](const Index point) {
         if (m_Across[point] > 0.0)
@@ -359,7 +354,7 @@ private:
           const double gap = GapOfThickness * m_Lines.FindThickness(point);
           const Vector ahead =
             MedialVoxelAddScaled(m_Lines.PointOf(point), m_Shifts[point], 1.0 + gap / m_Across[point]);
-          if (tree.Find(ahead, 0).distance < LeastClearance * gap)
+          if (m_Tree.HasWithin(ahead, 0, LeastClearance * gap) || tree.HasWithin(ahead, 0, LeastClearance * gap))
           {
             found = true;
             this->Shorten(point, round + 1 < MostRounds ? ShareLeft : 0.0);
@@ -384,22 +379,23 @@ private:
     }
   }
 
-  /** The sheet with its strips as they are now; points of no rim come twice. */
+  /** The strips as they are now; all points come twice. */
   MedialVoxelSheet
-  MakeCandidate() const
+  MakeStrips() const
   {
-    MedialVoxelSheet candidate = m_Sheet;
+    MedialVoxelSheet strips;
     const auto       number = static_cast<Index>(m_Sheet.points.size());
+    strips.points = m_Sheet.points;
     for (Index point = 0; point < number; ++point)
     {
-      candidate.points.push_back(MedialVoxelAddScaled(m_Lines.PointOf(point), m_Shifts[point], 1.0));
+      strips.points.push_back(MedialVoxelAddScaled(m_Lines.PointOf(point), m_Shifts[point], 1.0));
     }
     for (const RimSide & side : m_Lines.GetSides())
     {
-      candidate.triangles.push_back({ { side.a, side.b, side.b + number } });
-      candidate.triangles.push_back({ { side.a, side.b + number, side.a + number } });
+      strips.triangles.push_back({ { side.a, side.b, side.b + number } });
+      strips.triangles.push_back({ { side.a, side.b + number, side.a + number } });
     }
-    return candidate;
+    return strips;
   }
 
   void
@@ -462,6 +458,7 @@ private:
   const MedialVoxelRimLimits &   m_Limits;
   const MedialVoxelRunTasks &    m_RunTasks;
   MedialVoxelRimLines            m_Lines;
+  const MedialVoxelSheetTree     m_Tree;   ///< of the sheet without strips
   std::vector<Vector>            m_Shifts; ///< of the points of rims
   std::vector<double>            m_Across; ///< the same across the rims
   std::vector<char>              m_IsCut;  ///< bytes, as tasks write them

@@ -116,19 +116,6 @@ MedialVoxelDistanceHistogram::Add(const double distance)
   m_Largest = std::max(m_Largest, distance);
 }
 
-void
-MedialVoxelDistanceHistogram::Add(const MedialVoxelDistanceHistogram & other)
-{
-  m_Counts.resize(std::max(m_Counts.size(), other.m_Counts.size()));
-  for (std::size_t number = 0; number < other.m_Counts.size(); ++number)
-  {
-    m_Counts[number] += other.m_Counts[number];
-  }
-  m_Number += other.m_Number;
-  m_Sum += other.m_Sum;
-  m_Largest = std::max(m_Largest, other.m_Largest);
-}
-
 MedialVoxelRemeshingSummary::Distances
 MedialVoxelDistanceHistogram::Summarize() const
 {
@@ -152,35 +139,40 @@ MedialVoxelDistanceHistogram::Summarize() const
 MedialVoxelSheetDistances::MedialVoxelSheetDistances(const MedialVoxelRemeshedSheet & sheet)
 {
   std::vector<Triangle>   triangles;
+  std::vector<bool>       isAtLine;
   const std::vector<bool> isOnLine = FindLines(sheet);
   for (const MedialVoxelShellElement & element : sheet.elements)
   {
     const auto begin = element.corners.begin();
-    const bool isAtLine =
-      std::any_of(begin, begin + element.numberOfCorners, [&](const Index point) { return isOnLine[point]; });
     for (unsigned int k = 2; k < element.numberOfCorners; ++k)
     {
       triangles.push_back({ { element.corners[0], element.corners[k - 1], element.corners[k] } });
-      const std::array<Vector, 3> corners{
-        { sheet.points[element.corners[0]], sheet.points[element.corners[k - 1]], sheet.points[element.corners[k]] }
-      };
-      const Vector middle = MedialVoxelMiddle(corners[0], corners[1]);
-      const Vector center = MedialVoxelAddScaled(middle, MedialVoxelSubtract(corners[2], middle), 1.0 / 3.0);
-      const double area = GetArea(corners) / 4.0;
-      m_Samples.push_back({ center, area, isAtLine });
-      for (const Vector & corner : corners)
-      {
-        m_Samples.push_back({ MedialVoxelMiddle(corner, center), area, isAtLine });
-      }
+      isAtLine.push_back(
+        std::any_of(begin, begin + element.numberOfCorners, [&](const Index point) { return isOnLine[point]; }));
     }
   }
   m_Elements = std::make_unique<MedialVoxelSheetTree>(sheet.points, triangles, std::vector<Index>(triangles.size(), 0));
+  for (const Index number : m_Elements->GetOrder())
+  {
+    const Triangle &            triangle = triangles[number];
+    const std::array<Vector, 3> corners{
+      { sheet.points[triangle[0]], sheet.points[triangle[1]], sheet.points[triangle[2]] }
+    };
+    const Vector middle = MedialVoxelMiddle(corners[0], corners[1]);
+    const Vector center = MedialVoxelAddScaled(middle, MedialVoxelSubtract(corners[2], middle), 1.0 / 3.0);
+    const double area = GetArea(corners) / 4.0;
+    m_Samples.push_back({ center, area, isAtLine[number] });
+    for (const Vector & corner : corners)
+    {
+      m_Samples.push_back({ MedialVoxelMiddle(corner, center), area, isAtLine[number] });
+    }
+  }
 }
 
-MedialVoxelDistanceHistogram
+std::vector<double>
 MedialVoxelSheetDistances::MeasurePoints(const MedialVoxelSheet & part) const
 {
-  MedialVoxelDistanceHistogram  result;
+  std::vector<double>           result;
   MedialVoxelSheetTree::Nearest last;
   for (std::size_t k = 0; k < part.points.size() && !m_Samples.empty(); ++k)
   {
@@ -189,7 +181,7 @@ MedialVoxelSheetDistances::MeasurePoints(const MedialVoxelSheet & part) const
       k == 0 ? MedialVoxelSheetTree::Anywhere : MedialVoxelNorm(MedialVoxelSubtract(part.points[k], last.point));
     const auto nearest = m_Elements->Find(part.points[k], 0, bound);
     last = nearest.distance < bound ? nearest : last;
-    result.Add(std::min(nearest.distance, bound));
+    result.push_back(std::min(nearest.distance, bound));
   }
   return result;
 }
@@ -266,7 +258,8 @@ MedialVoxelSheetDistances::MeasureSamples(const MedialVoxelSheet & part) const
   const Bounds                        bounds = FindBounds(part.points);
   for (const Group & group : m_Groups)
   {
-    for (std::size_t i = 0; i < group.samples.size() && AreWithin(group.bounds, bounds, m_Within); ++i)
+    const std::size_t number = AreWithin(group.bounds, bounds, m_Within) ? group.samples.size() : 0;
+    for (std::size_t i = 0; i < number; ++i)
     {
       const Vector & point = m_Samples[group.samples[i]].point;
       if (AreWithin({ point, point }, bounds, m_Within))
@@ -287,9 +280,12 @@ MedialVoxelSheetDistances::MeasureSamples(const MedialVoxelSheet & part) const
 }
 
 void
-MedialVoxelSheetDistances::Add(const MedialVoxelDistanceHistogram & points)
+MedialVoxelSheetDistances::Add(const std::vector<double> & distancesOfPoints)
 {
-  m_Points.Add(points);
+  for (const double distance : distancesOfPoints)
+  {
+    m_Points.Add(distance);
+  }
 }
 
 void

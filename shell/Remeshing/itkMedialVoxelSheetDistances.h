@@ -15,7 +15,7 @@ namespace itk
 {
 
 /** \class MedialVoxelDistanceHistogram
- * \brief Distances in classes of a thousandth of their value. Sums of sums do not depend on their order, but the mean.
+ * \brief Distances in classes of a thousandth of their value.
  * \ingroup MedialVoxel
  */
 class MedialVoxelDistanceHistogram
@@ -24,9 +24,6 @@ public:
   /** \param distance finite, 0 or more */
   void
   Add(double distance);
-
-  void
-  Add(const MedialVoxelDistanceHistogram & other);
 
   MedialVoxelRemeshingSummary::Distances
   Summarize() const;
@@ -53,7 +50,7 @@ public:
   explicit MedialVoxelSheetDistances(const MedialVoxelRemeshedSheet & sheet);
 
   /** Of the points of a part of the fine sheet to the elements. Several threads may call it. */
-  MedialVoxelDistanceHistogram
+  std::vector<double>
   MeasurePoints(const MedialVoxelSheet & part) const;
 
   /** Have the samples that no part was near enough to wait for parts that are less than \a within away. False when no
@@ -67,7 +64,7 @@ public:
 
   /** Sums depend on the order of the parts in their last digits. */
   void
-  Add(const MedialVoxelDistanceHistogram & points);
+  Add(const std::vector<double> & distancesOfPoints);
 
   void
   Add(const std::vector<SampleDistance> & samples);
@@ -105,7 +102,7 @@ private:
   static bool
   AreWithin(const Bounds & a, const Bounds & b, double distance);
 
-  std::vector<Sample>                   m_Samples;
+  std::vector<Sample>                   m_Samples; ///< neighbors mostly follow each other
   std::vector<Group>                    m_Groups;
   double                                m_Within{ 0 }; ///< of the samples that wait
   std::unique_ptr<MedialVoxelSheetTree> m_Elements;

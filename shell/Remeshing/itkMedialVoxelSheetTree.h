@@ -56,6 +56,13 @@ public:
     return static_cast<Index>(m_Roots.size());
   }
 
+  /** Numbers of the triangles, so that neighbors mostly follow each other. */
+  const std::vector<Index> &
+  GetOrder() const
+  {
+    return m_Order;
+  }
+
   /** The nearest of a group that is nearer than \a within. */
   Nearest
   Find(const Point & point, Index group, double within = Anywhere) const;

@@ -59,13 +59,17 @@ public:
     : m_Complex(complex)
     , m_Corners(corners)
     , m_Partners(corners.size(), Complex::None)
+    , m_Pairs(this->ListPairs())
   {}
 
   /** Triangles that are joined stay so, or get other partners. */
   void
-  Join()
+  Join(const MedialVoxelRunTasks & runTasks)
   {
-    std::vector<Pair> pairs = this->ListPairs();
+    std::vector<Pair> pairs = m_Pairs;
+    MedialVoxelForEach(runTasks, pairs.size(), [&](const Index number) {
+      pairs[number].quality = MedialVoxelShellQuality(m_Complex, pairs[number].element);
+    });
     std::sort(pairs.begin(), pairs.end(), [](const Pair & x, const Pair & y) {
       return x.quality != y.quality ? x.quality > y.quality
              : x.first != y.first   ? x.first < y.first
@@ -103,7 +107,7 @@ public:
   ListElements() const
   {
     std::vector<MedialVoxelShellElement> elements;
-    for (const Pair & pair : this->ListPairs())
+    for (const Pair & pair : m_Pairs)
     {
       if (this->AreJoined(pair))
       {
@@ -128,7 +132,7 @@ public:
   ListWanted() const
   {
     std::vector<MedialVoxelShellElement> elements;
-    for (const Pair & pair : this->ListPairs())
+    for (const Pair & pair : m_Pairs)
     {
       if (m_Partners[pair.first] == Complex::None && m_Partners[pair.second] == Complex::None)
       {
@@ -165,7 +169,6 @@ private:
         pair.element.corners = { { a, m_Complex.GetOpposite(second, a, b), b, m_Complex.GetOpposite(first, a, b) } };
         pair.element.numberOfCorners = 4;
         pair.element.wall = m_Complex.GetWall(first);
-        pair.quality = MedialVoxelShellQuality(m_Complex, pair.element);
         pairs.push_back(pair);
       }
     }
@@ -175,6 +178,7 @@ private:
   const Complex &               m_Complex;
   const std::vector<Triangle> & m_Corners;
   std::vector<Index>            m_Partners; ///< of triangles; None: it is not joined
+  const std::vector<Pair>       m_Pairs;    ///< all that could be joined, without their qualities
 };
 
 /** Marks sides of one element, and of more than two. */
@@ -291,7 +295,7 @@ MedialVoxelMakeElements(Complex &                     complex,
   Joiner joiner(complex, corners);
   for (unsigned int round = 0; joins && round < Rounds; ++round)
   {
-    joiner.Join();
+    joiner.Join(runTasks);
     MedialVoxelSmoothElements(complex, fine, joiner.ListElements(), joiner.ListWanted(), runTasks);
   }
   std::vector<MedialVoxelShellElement> elements = joiner.ListElements();

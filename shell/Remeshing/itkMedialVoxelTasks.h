@@ -26,33 +26,19 @@ MedialVoxelRunInOrder(const std::size_t count, const MedialVoxelTask & task)
   }
 }
 
-/** Calls function(number, scratch) for all numbers below a count of at most 2^32, a block of them in each task, which
- * makes its scratch. */
-template <typename TMake, typename TFunction>
-void
-MedialVoxelForEachWith(const MedialVoxelRunTasks & runTasks,
-                       const std::size_t           count,
-                       const TMake &               makeScratch,
-                       const TFunction &           function)
-{
-  constexpr std::size_t block = 128;
-  runTasks((count + block - 1) / block, [&](const std::size_t task, const std::function<void()> & check) {
-    check();
-    auto scratch = makeScratch();
-    for (std::size_t number = task * block; number < std::min(count, (task + 1) * block); ++number)
-    {
-      function(static_cast<std::uint32_t>(number), scratch);
-    }
-  });
-}
-
-/** The same without scratch. */
+/** Calls function(number) for all numbers below a count of at most 2^32, for a block of them in each task. */
 template <typename TFunction>
 void
 MedialVoxelForEach(const MedialVoxelRunTasks & runTasks, const std::size_t count, const TFunction & function)
 {
-  MedialVoxelForEachWith(
-    runTasks, count, [] { return 0; }, [&function](const std::uint32_t number, int) { function(number); });
+  constexpr std::size_t block = 128;
+  runTasks((count + block - 1) / block, [&](const std::size_t task, const std::function<void()> & check) {
+    check();
+    for (std::size_t number = task * block; number < std::min(count, (task + 1) * block); ++number)
+    {
+      function(static_cast<std::uint32_t>(number));
+    }
+  });
 }
 
 } // end namespace itk

@@ -134,32 +134,27 @@ MedialVoxelTriangleComplex::GetOpposite(const Index triangle, const Index a, con
 }
 
 MedialVoxelTriangleComplex::Neighbors
-MedialVoxelTriangleComplex::FindNeighbors(const Index vertex) const
+MedialVoxelTriangleComplex::FindNeighbors(const Index vertex, const Index least) const
 {
   // Both ends of the side opposite to the vertex, in each triangle; each vertex mostly comes twice.
   MedialVoxelShortList<Index, 24> others;
   for (const Index triangle : m_TrianglesOf[vertex])
   {
-    const Triangle & corners = m_Triangles[triangle];
-    others.push_back(corners[0] == vertex ? corners[1] : corners[0]);
-    others.push_back(corners[2] == vertex ? corners[1] : corners[2]);
-  }
-  Neighbors neighbors;
-  Index *   begin = others.begin();
-  Index *   end = others.end();
-  while (begin != end)
-  {
-    const Index  lowest = *std::min_element(begin, end);
-    unsigned int triangles = 0;
-    for (Index * place = begin; place != end; ++place)
+    for (const Index corner : m_Triangles[triangle])
     {
-      if (*place == lowest)
+      if (corner != vertex && corner >= least)
       {
-        *place = *begin++;
-        ++triangles;
+        others.push_back(corner);
       }
     }
-    neighbors.push_back({ lowest, triangles });
+  }
+  std::sort(others.begin(), others.end());
+  Neighbors neighbors;
+  for (Index * place = others.begin(); place != others.end();)
+  {
+    Index * const next = std::find_if(place, others.end(), [place](const Index other) { return other != *place; });
+    neighbors.push_back({ *place, static_cast<unsigned int>(next - place) });
+    place = next;
   }
   return neighbors;
 }

@@ -139,9 +139,9 @@ public:
   Index
   GetOpposite(Index triangle, Index a, Index b) const;
 
-  /** Vertices that share a side with a vertex, in the order of their numbers. */
+  /** Vertices that share a side with a vertex, in the order of their numbers, from \a least on. */
   Neighbors
-  FindNeighbors(Index vertex) const;
+  FindNeighbors(Index vertex, Index least = 0) const;
 
   /** A shared vertex is a corner. */
   Place

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelWallFitting.h"
 
+#include "itkMedialVoxelComplexDivision.h"
 #include "itkMedialVoxelElementQuality.h"
 #include "itkMedialVoxelVector3.h"
 #include "itkMedialVoxelSymmetricEquations.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <unordered_map>
 
 namespace itk
 {
@@ -46,6 +49,8 @@ constexpr double ShareOfPlane = 0.8;
 
 /** Elements for each number that is fitted. */
 constexpr std::size_t ElementsPerNumber = 2;
+
+constexpr std::size_t NodesOfPart = 256;
 
 /** No element becomes worse than that, but those that are worse already may lose a part of it. */
 constexpr double LeastQuality = 0.4;
@@ -189,8 +194,8 @@ MedialVoxelWallFitting::FindNeighbors()
 std::vector<MedialVoxelWallFitting::Sums>
 MedialVoxelWallFitting::Measure(const MedialVoxelSheet & part) const
 {
-  std::vector<Sums>  result;
-  std::vector<Index> places(m_Sums.size(), None);
+  std::vector<Sums>                result;
+  std::unordered_map<Index, Index> places; // of elements in the result
   for (const Point & point : part.points)
   {
     const auto nearest = m_Triangles->Find(point, 0, MostAway * m_Noise);
@@ -199,12 +204,12 @@ MedialVoxelWallFitting::Measure(const MedialVoxelSheet & part) const
       continue;
     }
     const Index element = m_ElementOf[nearest.triangle];
-    if (places[element] == None)
+    const auto [found, isNew] = places.emplace(element, static_cast<Index>(result.size()));
+    if (isNew)
     {
-      places[element] = static_cast<Index>(result.size());
       result.push_back({ element, 0.0, {}, {} });
     }
-    Sums &      sums = result[places[element]];
+    Sums &      sums = result[found->second];
     const Point from = MedialVoxelSubtract(point, m_Middles[element]);
     sums.number += 1.0;
     sums.places = MedialVoxelAddScaled(sums.places, from, 1.0);
@@ -406,9 +411,17 @@ std::vector<MedialVoxelWallFitting::Point>
 MedialVoxelWallFitting::FindPlaces(const MedialVoxelRunTasks & runTasks) const
 {
   std::vector<Point> places = m_Sheet.points;
-  const auto         makeRegion = [this] { return Region{ {}, std::vector<bool>(m_Sheet.elements.size()) }; };
-  MedialVoxelForEachWith(runTasks, places.size(), makeRegion, [&](const Index node, Region & region) {
-    places[node] = m_ElementsOf[node].empty() ? places[node] : this->FindPlace(node, region);
+  std::vector<Index> nodes(places.size());
+  std::iota(nodes.begin(), nodes.end(), Index{ 0 });
+  // Elements around a node are in the cache, as the node before has them, too.
+  const auto parts = MedialVoxelDividePlaces(m_Sheet.points, std::move(nodes), NodesOfPart, 0.5);
+  runTasks(parts.size(), [&](const std::size_t part, const std::function<void()> & check) {
+    check();
+    Region region{ {}, std::vector<bool>(m_Sheet.elements.size()) };
+    for (const Index node : parts[part])
+    {
+      places[node] = m_ElementsOf[node].empty() ? places[node] : this->FindPlace(node, region);
+    }
   });
   this->TakeBack(places);
   return places;

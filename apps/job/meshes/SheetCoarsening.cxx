@@ -224,7 +224,7 @@ SheetCoarsening::MeasureDistances(const itk::MedialVoxelRemeshedSheet & coarse,
   const auto                     check = [this] { m_Remeshing.progress(0.0); };
   struct Measured
   {
-    itk::MedialVoxelDistanceHistogram                           points;
+    std::vector<double>                                         points;
     std::vector<itk::MedialVoxelSheetDistances::SampleDistance> samples;
   };
   // Samples are near the fine surface nearly always, but for rims that were carried on.
@@ -239,7 +239,7 @@ SheetCoarsening::MeasureDistances(const itk::MedialVoxelRemeshedSheet & coarse,
         m_Remeshing.threads,
         [&](const std::uint64_t number, const Check &) {
           const itk::MedialVoxelSheet part = this->ReadPart(number).sheet;
-          return Measured{ isFirst ? distances.MeasurePoints(part) : itk::MedialVoxelDistanceHistogram{},
+          return Measured{ isFirst ? distances.MeasurePoints(part) : std::vector<double>{},
                            distances.MeasureSamples(part) };
         },
         [&](std::uint64_t, const Measured & measured) {
