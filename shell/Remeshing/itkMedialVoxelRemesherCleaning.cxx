@@ -131,7 +131,7 @@ MedialVoxelRemesher::GetBadness(const std::vector<Index> & vertices) const
 double
 MedialVoxelRemesher::GetFolds(const Index a, const Index b) const
 {
-  std::vector<Vector> heights;
+  MedialVoxelShortList<Vector, 4> heights;
   for (const Index triangle : m_Complex.FindTriangles(a, b))
   {
     heights.push_back(GetHeight(
