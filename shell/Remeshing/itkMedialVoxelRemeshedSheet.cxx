@@ -41,21 +41,6 @@ FindOnFine(const MedialVoxelFineSheet & fine, const Complex & complex, const Ind
   return best;
 }
 
-/** Rotates corners, so that the lowest one comes first, and the marks of the sides with them. */
-void
-StartWithLowest(MedialVoxelShellElement & element)
-{
-  const unsigned int number = element.numberOfCorners;
-  const auto         begin = element.corners.begin();
-  const auto         lowest = static_cast<unsigned int>(std::min_element(begin, begin + number) - begin);
-  std::rotate(begin, begin + lowest, begin + number);
-  const auto rotate = [&](const std::uint8_t bits) {
-    return static_cast<std::uint8_t>((bits >> lowest | bits << (number - lowest)) & ((1u << number) - 1));
-  };
-  element.rimSides = rotate(element.rimSides);
-  element.junctionSides = rotate(element.junctionSides);
-}
-
 /** Gives the points of the complex that are in use to the result, by their places, and numbers the elements' corners
  * anew. */
 void
@@ -87,7 +72,7 @@ PutInOrder(const MedialVoxelFineSheet & fine, const Complex & complex, MedialVox
   {
     const auto begin = element.corners.begin();
     std::transform(begin, begin + element.numberOfCorners, begin, [&](const Index vertex) { return numbers[vertex]; });
-    StartWithLowest(element);
+    MedialVoxelStartWithLowest(element);
   }
   std::sort(result.elements.begin(), result.elements.end(), [](const auto & a, const auto & b) {
     return a.corners < b.corners;

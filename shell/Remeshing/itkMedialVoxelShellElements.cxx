@@ -284,6 +284,20 @@ MedialVoxelShellQuality(const Complex & complex, const MedialVoxelShellElement &
            : MedialVoxelShellQuality(std::array<MedialVoxelVector3, 4>{ { at(0), at(1), at(2), at(3) } });
 }
 
+void
+MedialVoxelStartWithLowest(MedialVoxelShellElement & element)
+{
+  const unsigned int number = element.numberOfCorners;
+  const auto         begin = element.corners.begin();
+  const auto         lowest = static_cast<unsigned int>(std::min_element(begin, begin + number) - begin);
+  std::rotate(begin, begin + lowest, begin + number);
+  const auto rotate = [&](const std::uint8_t bits) {
+    return static_cast<std::uint8_t>((bits >> lowest | bits << (number - lowest)) & ((1u << number) - 1));
+  };
+  element.rimSides = rotate(element.rimSides);
+  element.junctionSides = rotate(element.junctionSides);
+}
+
 std::vector<MedialVoxelShellElement>
 MedialVoxelMakeElements(Complex &                     complex,
                         const MedialVoxelFineSheet &  fine,

@@ -44,6 +44,10 @@ MedialVoxelLargestSize(const MedialVoxelTriangleComplex & complex, const MedialV
 double
 MedialVoxelShellQuality(const MedialVoxelTriangleComplex & complex, const MedialVoxelShellElement & element);
 
+/** Rotates corners, so that the lowest one comes first, and the marks of the sides with them. */
+void
+MedialVoxelStartWithLowest(MedialVoxelShellElement & element);
+
 /** Joins triangles that share a side to quadrilaterals of a quality of 0.4 at least: as many as possible, the best
  * first. Vertices inside walls move to where elements are better, and let more of them be joined.
  * \param fine    the sheet that vertices stay on

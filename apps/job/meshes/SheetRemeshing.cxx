@@ -11,6 +11,7 @@
 #include "Text.h"
 
 #include "itkMedialVoxelElementQuality.h"
+#include "itkMedialVoxelFoldedElements.h"
 
 #include <algorithm>
 #include <cmath>
@@ -221,6 +222,7 @@ RemeshSheet(std::unique_ptr<MeshSpool>         surface,
   auto               result = std::make_unique<MeshSpool>(remeshing.scratchFolder, coarse->GetPrecision());
   std::vector<Index> places;
   fine.FitWalls(sheet, settings.size.noise, runTasks);
+  itk::MedialVoxelSplitFolded(sheet);
   fine.MeasureDistances(sheet, sheet.summary);
   sheet.summary.fineArea = area;
   sheet.summary.walls += wallsLeftOut.size();
