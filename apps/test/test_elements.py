@@ -81,8 +81,9 @@ class RealElementsTest(ProgramTestCase):
 
     @unittest.skipUnless(shutil.which("ccx"), "ccx is not installed: Debian package calculix-ccx")
     def test_calculix_takes_all_elements(self):
-        for name, threshold in (("engine.mha", 72), ("shell.nrrd", 65), ("cranium.mha", 200)):
-            self.run_program("mesh", DATA / name, "part.inp", "--lower", threshold, "--element-size", "auto", "--overwrite")
+        # Short elements of thick walls turn over where they are bent, unless they are triangles.
+        for name, threshold, size in (("engine.mha", 72, "auto"), ("engine.mha", 72, 2), ("shell.nrrd", 65, "auto"), ("cranium.mha", 200, "auto")):
+            self.run_program("mesh", DATA / name, "part.inp", "--lower", threshold, "--element-size", size, "--overwrite")
             model = ShellModel(self.folder / "part.inp")
             heights = {number: point[2] for number, point in model.nodes.items()}
             held = [number for number, height in heights.items() if height < min(heights.values()) + 5]
