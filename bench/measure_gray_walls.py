@@ -132,7 +132,7 @@ def measure(arguments, name):
 
 def format_seconds(case, way):
     """Before and now, where there was a build before."""
-    return " / ".join(f"{statistics.median(case[key][way]):.2f}" for key in ("before", "cpu_seconds") if key in case)
+    return " / ".join(f"{statistics.median(case[key][way]):.2f}" for key in ("before", "cpu_seconds") if way in case.get(key, {}))
 
 
 def format_rows(cases):

@@ -3,6 +3,7 @@
 #ifndef medialvoxelOrderedWork_h
 #define medialvoxelOrderedWork_h
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -38,7 +39,7 @@ public:
   {
     OrderedWork              work(count, threads, make);
     std::vector<std::thread> workers;
-    for (unsigned int number = 0; number < threads; ++number)
+    for (std::uint64_t number = 0; number < std::min<std::uint64_t>(threads, count); ++number)
     {
       workers.emplace_back([&work] { work.Work(); });
     }
