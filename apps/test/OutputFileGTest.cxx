@@ -152,7 +152,7 @@ TEST(OutputFile, KeepsWhatItExchanges)
     WriteText(file, exists ? "new" : "old");
     EXPECT_EQ(file.PublishByExchange(), exists);
     EXPECT_EQ(folder.Read("a"), exists ? "new" : "old");
-    EXPECT_EQ(exists ? folder.Read(file.GetTemporaryName().filename()) : "old", "old");
+    EXPECT_EQ(exists ? folder.Read(file.GetTemporaryName().filename().string()) : "old", "old");
     file.KeepName();
     EXPECT_EQ(folder.GetNumberOfFiles(), 1);
   }
