@@ -253,9 +253,9 @@ TEST(MedialSurfaceMeshFilter, CoordinatesThatNeed64BitsAreNotRounded)
 {
   const auto              image = MakeImage<MaskImage<3>>(TestVolume());
   const auto              spacing = image->GetSpacing();
-  const double            far = 2e7;
+  const double            away = 2e7;
   MaskImage<3>::PointType origin;
-  origin.Fill(far);
+  origin.Fill(away);
   image->SetOrigin(origin);
   auto rounded = MaskMeshFilter::New();
   rounded->SetInput(image);
@@ -279,7 +279,7 @@ TEST(MedialSurfaceMeshFilter, CoordinatesThatNeed64BitsAreNotRounded)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      EXPECT_NEAR(exact->GetOutput()->GetPoint(i)[axis] - far, expected.vertices[i].point[axis], 1e-7);
+      EXPECT_NEAR(exact->GetOutput()->GetPoint(i)[axis] - away, expected.vertices[i].point[axis], 1e-7);
     }
   }
   // As far as 32 bits do.

@@ -89,9 +89,8 @@ AddCommonParameters(CLI::App & app, const OptionTarget & target)
 std::unique_ptr<CLI::App>
 DefineParameters(ModuleOptions & options)
 {
-  auto app = std::make_unique<CLI::App>(
-    "Extracts the medial voxels of an object in a volume, as a module of 3D Slicer or by itself.",
-    "MedialVoxelExtraction");
+  auto app = MakeParser("Extracts the medial voxels of an object in a volume, as a module of 3D Slicer or by itself.",
+                        "MedialVoxelExtraction");
   const OptionTarget target = MakeTarget(options.job, options.program, options);
   AddParameters(*app, target);
   AddCommonParameters(*app, target);

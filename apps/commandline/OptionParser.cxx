@@ -10,6 +10,15 @@
 namespace medialvoxel
 {
 
+std::unique_ptr<CLI::App>
+MakeParser(const std::string & help, const std::string & programName)
+{
+  auto parser = std::make_unique<CLI::App>(help, programName);
+  // On Windows, too, a name of a file may begin with a slash.
+  parser->allow_windows_style_options(false);
+  return parser;
+}
+
 CLI::Option *
 AddOption(CLI::App &           app,
           const std::string &  name,

@@ -7,10 +7,15 @@
 
 #include <CLI/CLI.hpp>
 
+#include <memory>
 #include <string>
 
 namespace medialvoxel
 {
+
+/** A parser without commands and options. */
+std::unique_ptr<CLI::App>
+MakeParser(const std::string & help, const std::string & programName);
 
 /** Adds an option or an argument, whose value goes to the target; errors name it. ParseWords() brings flags into the
  * form that the parser knows. */

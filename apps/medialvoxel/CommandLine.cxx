@@ -165,8 +165,7 @@ CompleteJobs(CommandLine & line)
 std::unique_ptr<CLI::App>
 DefineCommandLine(CommandLine & line)
 {
-  auto app =
-    std::make_unique<CLI::App>("Medial voxels and vector distances of objects in volumes of any size", "medialvoxel");
+  auto app = MakeParser("Medial voxels and vector distances of objects in volumes of any size", "medialvoxel");
   app->set_version_flag("-V,--version", "medialvoxel " + GetVersion());
   app->set_help_all_flag("--help-all", "Print help with all options and exit");
   app->require_subcommand(1);

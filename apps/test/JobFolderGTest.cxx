@@ -28,7 +28,7 @@ Manifest
 MakeManifest()
 {
   Manifest manifest;
-  manifest.version = GetVersion();
+  manifest.version = medialvoxel::GetVersion();
   manifest.jobId = "0123456789abcdef";
   manifest.folder = "/somewhere";
   manifest.options.input = "in \"1\".raw";
@@ -187,8 +187,8 @@ TEST(Manifest, RefusesWhatHasTheChecksumButAnotherForm)
     deep = Json::array({ std::move(deep) });
   }
   for (const Json & object : { Json{ { "version", 7 } },
-                               Json{ { "version", GetVersion() }, { "format", "1" } },
-                               Json{ { "version", GetVersion() }, { "format", 1 } },
+                               Json{ { "version", medialvoxel::GetVersion() }, { "format", "1" } },
+                               Json{ { "version", medialvoxel::GetVersion() }, { "format", 1 } },
                                Json{ { "version", deep } } })
   {
     WriteSealed(folder / "m.json", object);
@@ -210,7 +210,7 @@ TEST(Manifest, FormatsAreWholeNumbers)
   const TemporaryFolder folder;
   for (const char * const format : { "1e36", "1.5", "-2147483649", "true" })
   {
-    WriteSealed(folder / "m.json", Json{ { "version", GetVersion() }, { "format", Json::parse(format) } });
+    WriteSealed(folder / "m.json", Json{ { "version", medialvoxel::GetVersion() }, { "format", Json::parse(format) } });
     try
     {
       ReadManifest(folder / "m.json");

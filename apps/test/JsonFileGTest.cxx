@@ -11,8 +11,6 @@
 
 #include <gtest/gtest.h>
 
-#include <sys/stat.h>
-
 using namespace medialvoxel;
 
 namespace
@@ -109,8 +107,7 @@ TEST(JsonFile, RefusesNumbersOutOfRange)
 TEST(JsonFile, TellsWhatCannotBeRead)
 {
   const TemporaryFolder folder;
-  ASSERT_EQ(mkfifo((folder / "pipe.json").c_str(), 0600), 0);
-  for (const auto & name : { folder / "missing.json", folder / "", folder / "pipe.json" })
+  for (const auto & name : { folder / "missing.json", folder / "" })
   {
     try
     {

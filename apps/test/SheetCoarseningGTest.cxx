@@ -111,7 +111,7 @@ TEST(MeshPartition, PartsAreSmall)
 TEST(MeshPartition, OnePlaceIsOnePart)
 {
   MeshSpool  surface(std::filesystem::temp_directory_path());
-  MeshVertex vertex;
+  MeshVertex vertex{};
   surface.AddVertices({ vertex, vertex, vertex });
   surface.AddFaces({ MakeFace({ 0, 1, 2 }), MakeFace({ 2, 1, 0 }) });
   MeshReader          reader(surface, {});

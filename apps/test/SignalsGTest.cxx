@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <thread>
 
@@ -14,6 +15,12 @@ namespace
 using medialvoxel::AbortNotice;
 using medialvoxel::ExitStatus;
 using medialvoxel::SetNameForAborts;
+
+#ifdef _WIN32
+const auto Aborted = testing::ExitedWithCode(3);
+#else
+const auto Aborted = testing::KilledBySignal(SIGABRT);
+#endif
 
 TEST(AbortNoticeDeathTest, AnAbortEndsWithItsLine)
 {
@@ -33,12 +40,12 @@ TEST(AbortNoticeDeathTest, OnlyItsThreadAndItsTimeCount)
     }
     std::abort();
   };
-  EXPECT_EXIT(abortAfterNotice(), testing::KilledBySignal(SIGABRT), "^$");
+  EXPECT_EXIT(abortAfterNotice(), Aborted, "^$");
   const auto abortElsewhere = [] {
     const AbortNotice notice(static_cast<int>(ExitStatus::CorruptInput), "of another thread");
     std::thread([] { std::abort(); }).join();
   };
-  EXPECT_EXIT(abortElsewhere(), testing::KilledBySignal(SIGABRT), "^$");
+  EXPECT_EXIT(abortElsewhere(), Aborted, "^$");
 }
 
 } // namespace

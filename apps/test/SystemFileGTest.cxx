@@ -9,9 +9,6 @@
 
 #include <cerrno>
 #include <string>
-#ifndef _WIN32
-#  include <sys/stat.h>
-#endif
 
 namespace
 {
@@ -94,17 +91,6 @@ TEST(SystemFile, AccessSaysWhatBecomesOfAFile)
   EXPECT_EQ(errno, ENODATA);
   EXPECT_EQ(SystemFile(folder / "a", FileAccess::MakeEmpty).GetSize(), 0u);
 }
-
-#ifndef _WIN32
-TEST(SystemFile, APipeIsNotWaitedFor)
-{
-  const TemporaryFolder folder;
-  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
-  const SystemFile pipe(folder / "pipe", FileAccess::Read);
-  ASSERT_TRUE(pipe.IsOpen());
-  EXPECT_FALSE(pipe.GetStatus()->isFile);
-}
-#endif
 
 TEST(SystemFile, AScratchFileVanishes)
 {

@@ -14,6 +14,8 @@ using namespace MedialVoxelTest;
 constexpr float Thickness = 4.0F;
 constexpr float AtFork = 2.5F;
 
+constexpr double Pi = 3.14159265358979323846;
+
 using PlaceTest = std::function<bool(double x, double y)>;
 
 /** Squares of the plane z = 0 whose middles count, 2 long; points of rims have less thickness, as at a fork. */
@@ -209,7 +211,7 @@ TEST(MedialVoxelRimExtension, RoundRimsGrowAndHolesShrink)
     for (std::uint32_t k = 0; k < 3 * n; ++k)
     {
       const double radius = inner + (outer - inner) * (k / n) / 2.0;
-      const double angle = 2.0 * M_PI * (k % n) / n;
+      const double angle = 2.0 * Pi * (k % n) / n;
       sheet.points.push_back({ { radius * std::cos(angle), radius * std::sin(angle), 1.0 } });
       sheet.thickness.push_back(k / n == 1 ? Thickness : AtFork);
     }
@@ -225,7 +227,7 @@ TEST(MedialVoxelRimExtension, RoundRimsGrowAndHolesShrink)
     itk::MedialVoxelSheet sheet = ring(inner, 20.0);
     const auto            summary = Extend(sheet);
     const double          half = Thickness / 2;
-    EXPECT_NEAR(FacesOf(sheet).GetArea() / (M_PI * (std::pow(20.0 + half, 2) - std::pow(inner - half, 2))), 1.0, 0.01);
+    EXPECT_NEAR(FacesOf(sheet).GetArea() / (Pi * (std::pow(20.0 + half, 2) - std::pow(inner - half, 2))), 1.0, 0.01);
     EXPECT_EQ(summary.cutBack, 0u);
   }
 }
@@ -339,7 +341,7 @@ TEST(MedialVoxelRimExtension, GapsMakeNoSpikes)
   {
     const auto getMost = [&](const std::ptrdiff_t step) {
       double most = added[point];
-      for (auto k = static_cast<std::ptrdiff_t>(point) + step, n = 1L; k > 0 && k < 15; k += step, ++n)
+      for (auto k = static_cast<std::ptrdiff_t>(point) + step, n = std::ptrdiff_t{ 1 }; k > 0 && k < 15; k += step, ++n)
       {
         most = std::min(most, added[static_cast<std::size_t>(k)] + 0.6 * 2.0 * static_cast<double>(n));
       }

@@ -36,7 +36,7 @@ Path
 ReadDatasetPath(const Path & fileName, const Json & dataset)
 {
   const Path path = dataset.at("path").get<std::string>();
-  const bool leavesFolder = path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end();
+  const bool leavesFolder = path.has_root_path() || std::find(path.begin(), path.end(), "..") != path.end();
   if (path.empty() || leavesFolder)
   {
     RefuseHeader(fileName,
