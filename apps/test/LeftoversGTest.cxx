@@ -16,7 +16,7 @@ namespace
 {
 
 /** The number of no process: more than systems give. */
-constexpr int DeadProcess = 1 << 30;
+constexpr int DeadProcess = 999999999;
 
 std::string
 MakeName(const std::string & fileName, const ProcessIdentity & process)

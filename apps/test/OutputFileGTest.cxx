@@ -154,8 +154,8 @@ TEST(OutputFile, KeepsWhatItExchanges)
     EXPECT_EQ(folder.Read("a"), exists ? "new" : "old");
     EXPECT_EQ(exists ? folder.Read(file.GetTemporaryName().filename().string()) : "old", "old");
     file.KeepName();
-    EXPECT_EQ(folder.GetNumberOfFiles(), 1);
   }
+  EXPECT_EQ(folder.GetNumberOfFiles(), 1);
   OutputFile file(folder / "a", false);
   file.Create(0, false);
   EXPECT_THROW(file.PublishByExchange(), JobError);

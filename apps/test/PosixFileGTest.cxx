@@ -6,6 +6,8 @@
 #include "SystemFile.h"
 #include "TemporaryFolder.h"
 
+#include <nlohmann/json.hpp>
+
 #include <gtest/gtest.h>
 
 #include <string>

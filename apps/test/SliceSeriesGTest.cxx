@@ -104,8 +104,9 @@ TEST(SliceNames, ArePatternsOnlyWhereNoFileHasTheName)
   for (const char * const pattern : { "*.png", "a?.png", "a%d.png", "a%04d.png" })
   {
     EXPECT_TRUE(NamesSlices(folder / pattern)) << pattern;
-    std::ofstream(folder / pattern) << "a file";
-    EXPECT_FALSE(NamesSlices(folder / pattern)) << pattern;
+    // Windows has no files of some of these names.
+    const bool isFile = static_cast<bool>(std::ofstream(folder / pattern) << "a file");
+    EXPECT_EQ(NamesSlices(folder / pattern), !isFile) << pattern;
   }
   for (const char * const name : { "a.png", "a%.png", "a%s.png", "a%d%d.png", "a%n.png", "a%1000d.png" })
   {

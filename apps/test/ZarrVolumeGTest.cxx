@@ -49,7 +49,7 @@ ReadFolder(const TemporaryFolder & folder, const std::string & name)
   {
     if (entry.is_regular_file())
     {
-      const std::string file = std::filesystem::relative(entry.path(), folder / name).string();
+      const std::string file = std::filesystem::relative(entry.path(), folder / name).generic_string();
       contents[file] = folder.Read(name + "/" + file);
     }
   }

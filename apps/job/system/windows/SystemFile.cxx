@@ -29,6 +29,9 @@ constexpr DWORD ShareAll = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELET
 
 constexpr std::intptr_t Unopened = -1;
 
+/** Letters of a name in a folder, on all file systems of Windows. */
+constexpr std::size_t LongestName = 255;
+
 HANDLE
 ToHandle(std::intptr_t descriptor)
 {
@@ -38,6 +41,12 @@ ToHandle(std::intptr_t descriptor)
 std::intptr_t
 Open(const std::filesystem::path & name, DWORD access, DWORD way, DWORD attributes)
 {
+  // The system says the same of names with wrong letters.
+  if (name.filename().native().size() > LongestName)
+  {
+    errno = ENAMETOOLONG;
+    return Unopened;
+  }
   const HANDLE handle = CreateFileW(name.c_str(), access, ShareAll, nullptr, way, attributes, nullptr);
   if (handle == INVALID_HANDLE_VALUE)
   {
