@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: MedialVoxel contributors
 # SPDX-License-Identifier: Apache-2.0
 
-# What `cpack -G TGZ`, `cpack -G DEB` and, for Windows, `cpack -G ZIP` pack: the program, its texts, and the licenses of what scripts/package links in.
+# What `cpack -G TGZ`, `cpack -G DEB` and, for Windows, `cpack -G ZIP` pack: the program, its texts, and the licenses of what
+# scripts/package and scripts/cross link in.
 set(MedialVoxel_LICENSES_DIR "" CACHE PATH "Folder with the licenses of the libraries in a program that is linked statically")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/NOTICE" "${PROJECT_SOURCE_DIR}/CITATION.cff"
         DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/medialvoxel" COMPONENT Program)
