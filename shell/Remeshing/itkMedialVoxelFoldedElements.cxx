@@ -33,7 +33,7 @@ struct Weights
   std::array<double, 4> along0;
   std::array<double, 4> along1;
 
-  explicit Weights(const std::array<double, 2> & place)
+  explicit Weights(const Vector & place)
   {
     for (unsigned int k = 0; k < 4; ++k)
     {
@@ -110,12 +110,9 @@ MedialVoxelIsFolded(const std::array<MedialVoxelVector3, 4> & corners, const dou
       corners.begin(), corners.end(), normals.begin(), layer.begin(), [&](const auto & corner, const auto & n) {
         return MedialVoxelAddScaled(corner, n, z * thickness / 2.0);
       });
-    for (const auto & place : { std::array<double, 2>{ { -Gauss, -Gauss } },
-                                std::array<double, 2>{ { Gauss, -Gauss } },
-                                std::array<double, 2>{ { Gauss, Gauss } },
-                                std::array<double, 2>{ { -Gauss, Gauss } } })
+    for (const Vector & corner : Square)
     {
-      const Weights weights(place);
+      const Weights weights(MedialVoxelAddScaled({}, corner, Gauss));
       const Vector  across = MedialVoxelCross(Sum(layer, weights.along0), Sum(layer, weights.along1));
       if (!(MedialVoxelDot(across, Sum(normals, weights.value)) > 0.0))
       {
@@ -126,7 +123,7 @@ MedialVoxelIsFolded(const std::array<MedialVoxelVector3, 4> & corners, const dou
   return false;
 }
 
-std::uint64_t
+void
 MedialVoxelSplitFolded(MedialVoxelRemeshedSheet & sheet)
 {
   assert(sheet.thickness.size() == sheet.points.size());
@@ -150,10 +147,8 @@ MedialVoxelSplitFolded(MedialVoxelRemeshedSheet & sheet)
       elements.push_back(element);
     }
   }
-  const std::uint64_t number = elements.size() - sheet.elements.size();
   std::sort(elements.begin(), elements.end(), [](const auto & a, const auto & b) { return a.corners < b.corners; });
   sheet.elements = std::move(elements);
-  return number;
 }
 
 } // end namespace itk

@@ -15,9 +15,8 @@ bool
 MedialVoxelIsFolded(const std::array<MedialVoxelVector3, 4> & corners, double thickness);
 
 /** Splits quadrilaterals that fold, or would with half as much thickness again, into two triangles along the better
- * diagonal: solvers also take the mean of normals with the elements beside them. Triangles are flat.
- * \return how many there were */
-std::uint64_t
+ * diagonal: solvers also take the mean of normals with the elements beside them. Triangles are flat. */
+void
 MedialVoxelSplitFolded(MedialVoxelRemeshedSheet & sheet);
 
 } // end namespace itk

@@ -354,7 +354,8 @@ private:
           const double gap = GapOfThickness * m_Lines.FindThickness(point);
           const Vector ahead =
             MedialVoxelAddScaled(m_Lines.PointOf(point), m_Shifts[point], 1.0 + gap / m_Across[point]);
-          if (m_Tree.HasWithin(ahead, 0, LeastClearance * gap) || tree.HasWithin(ahead, 0, LeastClearance * gap))
+          const double near = LeastClearance * gap;
+          if (m_Tree.HasWithin(ahead, 0, near) || tree.HasWithin(ahead, 0, near))
           {
             found = true;
             this->Shorten(point, round + 1 < MostRounds ? ShareLeft : 0.0);
