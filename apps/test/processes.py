@@ -4,6 +4,7 @@
 
 import os
 import pathlib
+import re
 import time
 
 TICKS = os.sysconf("SC_CLK_TCK")
@@ -33,11 +34,20 @@ def state_of(process):
 
 
 def open_files_of(process):
-    """The names of its open files; none when it has ended, or has just closed one."""
+    """The names of its open files, each with how far it was read; none when it has ended."""
+    place = pathlib.Path(f"/proc/{process}")
     try:
-        return [os.readlink(entry) for entry in os.scandir(f"/proc/{process}/fd")]
+        numbers = os.listdir(place / "fd")
     except OSError:
-        return []
+        return {}
+    found = {}
+    for number in numbers:
+        try:
+            position = re.match(r"pos:\s*(\d+)", (place / "fdinfo" / number).read_text())
+            found[os.readlink(place / "fd" / number)] = int(position[1])
+        except OSError:
+            pass  # it was closed meanwhile
+    return found
 
 
 def family_of(process):

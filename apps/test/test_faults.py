@@ -13,7 +13,7 @@ import unittest.mock
 
 import text_headers
 import volumes
-from processes import PATIENCE
+from processes import PATIENCE, open_files_of, wait_until
 from program import CORRUPT, FAILURE, PROGRAM, READS_TIFF, REFUSED, USAGE, ProgramTestCase, needs_tiff, wait_for_begin
 
 FOUR_GIGABYTES = 1 << 32
@@ -241,14 +241,18 @@ class HostileHeaderTest(ProgramTestCase):
 
 
 class RunningProgram:
-    """The program while it works, once its output has begun."""
+    """The program while it works: once its output has begun, or once it has read so many bytes of an archive."""
 
-    def __init__(self, test, *arguments):
+    def __init__(self, test, *arguments, archive=None, read=1 << 20):
         command = [PROGRAM, *map(str, arguments), "--progress", "none"]
         self.process = subprocess.Popen(
             command, cwd=test.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
         )
-        wait_for_begin(self.process, test.folder)
+        if archive is None:
+            wait_for_begin(self.process, test.folder)
+        else:
+            name = str(test.folder.resolve() / archive)
+            wait_until(lambda: open_files_of(self.process.pid).get(name, 0) >= read, "bytes of the archive")
 
     def finish(self):
         _, message = self.process.communicate(timeout=60)
@@ -276,9 +280,10 @@ class RunningTest(ProgramTestCase):
     def assert_nothing_left(self, before):
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), before)
 
-    def cut_while_running(self, source, data_files, length=0):
+    def cut_while_running(self, source, data_files, length=0, **begin):
         before = sorted(path.name for path in self.folder.iterdir())
-        running = RunningProgram(self, "extract", source, "out.mha", "--thickness", 3, "--divisions", 100, "--memory", "4G")
+        run = ["extract", source, "out.mha", "--thickness", 3, "--divisions", 100, "--memory", "4G"]
+        running = RunningProgram(self, *run, **begin)
         running.process.send_signal(signal.SIGSTOP)
         for data_file in data_files:
             with open(self.folder / data_file, "r+b") as file:
@@ -304,13 +309,15 @@ class RunningTest(ProgramTestCase):
         self.cut_while_running("e.nhdr", names[2:])
 
     def test_archive_is_cut_while_it_is_unpacked(self):
-        self.cut_while_running(self.write_slow_archive(), ["slow.nrrd"], 1 << 20)
+        source = self.write_slow_archive()
+        self.cut_while_running(source, [source], 1 << 20, archive=source)
 
     def test_stop_while_unpacking(self):
         source = self.write_slow_archive()
         before = sorted(path.name for path in self.folder.iterdir())
         for number in (signal.SIGINT, signal.SIGTERM):
-            running = RunningProgram(self, "extract", source, "out.mha", "--thickness", 3, "--memory", "4G")
+            run = ["extract", source, "out.mha", "--thickness", 3, "--memory", "4G"]
+            running = RunningProgram(self, *run, archive=source)
             running.process.send_signal(number)
             status, message = running.finish()
             self.assertEqual(status, 128 + number, message)
