@@ -113,7 +113,7 @@ protected:
   TakeTile(const MedialVoxelTileResult & tile) override;
 
   void
-  VerifyPreconditions() ITKv5_CONST override;
+  VerifyPreconditions() const override;
 
   MedialVoxelSums
   RunRegion(const MedialVoxelBox & region) override;

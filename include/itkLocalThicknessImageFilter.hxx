@@ -79,7 +79,7 @@ LocalThicknessImageFilter<TInputImage>::GetTask(const MedialVoxelGrid & grid) co
 
 template <typename TInputImage>
 void
-LocalThicknessImageFilter<TInputImage>::VerifyPreconditions() ITKv5_CONST
+LocalThicknessImageFilter<TInputImage>::VerifyPreconditions() const
 {
   Superclass::VerifyPreconditions();
   if (m_SubvoxelThickness && m_Method == MethodEnum::Sphere)

@@ -28,7 +28,7 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::RequestPiece(const IndexValue
 
 template <typename TInputImage, typename TOutputMesh>
 void
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::VerifyPreconditions() ITKv5_CONST
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::VerifyPreconditions() const
 {
   Superclass::VerifyPreconditions();
   if (!(m_MinimumBranchLength >= 0.0) || !std::isfinite(m_MinimumBranchLength))
@@ -40,7 +40,7 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::VerifyPreconditions() ITKv5_C
 /** Whether the coordinates of the mesh are precise enough for neighboring points. */
 template <typename TInputImage, typename TOutputMesh>
 void
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::VerifyInputInformation() ITKv5_CONST
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::VerifyInputInformation() const
 {
   Superclass::VerifyInputInformation();
   const auto & input = dynamic_cast<const InputImageType &>(*this->GetPrimaryInput());

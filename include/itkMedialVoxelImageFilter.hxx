@@ -94,7 +94,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::MakeOutput(const ProcessObjec
 
 template <typename TInputImage, typename TOutputImage>
 void
-MedialVoxelImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() ITKv5_CONST
+MedialVoxelImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() const
 {
   Superclass::VerifyPreconditions();
   if (m_GenerateUncertainty && !this->GetSubvoxelThickness())

@@ -35,7 +35,7 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::UpdateOutputInformation()
 
 template <typename TInputImage, typename TOutputImage>
 void
-MedialVoxelImageFilterBase<TInputImage, TOutputImage>::VerifyInputInformation() ITKv5_CONST
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::VerifyInputInformation() const
 {
   Superclass::VerifyInputInformation();
   const InputImageType * const input = this->GetInput();

@@ -165,7 +165,7 @@ protected:
   }
 
   void
-  VerifyPreconditions() ITKv5_CONST override
+  VerifyPreconditions() const override
   {
     Superclass::VerifyPreconditions();
     if (m_LowerThreshold.IsNotANumber() || m_UpperThreshold.IsNotANumber() ||

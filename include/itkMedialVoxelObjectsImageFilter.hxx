@@ -217,7 +217,7 @@ MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::FindObjectNumber(const
 
 template <typename TInputImage, typename TOutputImage>
 void
-MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() ITKv5_CONST
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() const
 {
   Superclass::VerifyPreconditions();
   if (this->GetUseThresholds() || this->GetUseObjectValue() || this->GetBackgroundValue() != InputPixelType{})

@@ -220,7 +220,7 @@ protected:
   }
 
   void
-  VerifyPreconditions() ITKv5_CONST override
+  VerifyPreconditions() const override
   {
     Superclass::VerifyPreconditions();
     if (!(m_Thickness > 0.0) || !std::isfinite(m_Thickness))

@@ -54,7 +54,7 @@ VectorDistanceMapImageFilter<TInputImage, TVectorImage>::MakeOutput(
 
 template <typename TInputImage, typename TVectorImage>
 void
-VectorDistanceMapImageFilter<TInputImage, TVectorImage>::VerifyPreconditions() ITKv5_CONST
+VectorDistanceMapImageFilter<TInputImage, TVectorImage>::VerifyPreconditions() const
 {
   Superclass::VerifyPreconditions();
   if (!(m_MaximumDistance > 0.0))
