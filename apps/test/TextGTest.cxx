@@ -21,14 +21,53 @@ TEST(Text, ShortNumbersHaveNoExponentUpToABillion)
 
 TEST(Text, NumbersAreTheWholeText)
 {
-  EXPECT_EQ(ParseDouble("72.5"), 72.5);
-  EXPECT_EQ(ParseDouble("+3"), 3.0);
-  EXPECT_EQ(ParseDouble("-1e-3"), -1e-3);
-  EXPECT_TRUE(std::isnan(ParseDouble("nan").value()));
-  for (const char * const text : { "", "3x", "x3", " 3", "3 ", "+-3", "0x10", "1,5" })
+  for (const auto Parse : { ParseDouble, itk::MedialVoxelText::ParseStreamedDouble })
   {
-    EXPECT_FALSE(ParseDouble(text)) << text;
+    EXPECT_EQ(Parse("72.5"), 72.5);
+    EXPECT_EQ(Parse("+3"), 3.0);
+    EXPECT_EQ(Parse("-1e-3"), -1e-3);
+    EXPECT_EQ(Parse(".5"), Parse("5.E-1"));
+    EXPECT_TRUE(std::signbit(Parse("-0").value()));
+    EXPECT_TRUE(std::isnan(Parse("-NaN").value()));
+    EXPECT_EQ(Parse("-inf"), -Parse("Infinity").value());
+    EXPECT_EQ(Parse("2.2250738585072014e-308"), std::numeric_limits<double>::min());
+    EXPECT_EQ(Parse("9007199254740993"), 9007199254740992.0); // between two numbers: the even one
+    for (const char * const text :
+         { "",   "3x",  "x3",    " 3",    "3 ", "+-3", "++3",   "--3", "0x10", "1,5", "1.2.3", ".",   "e3",
+           "1e", "1e+", "1e999", "nan 1", "-",  "+",   "0x1p3", "3\n", "\t3",  "1f",  "in",    "infi" })
+    {
+      EXPECT_FALSE(Parse(text)) << text;
+    }
   }
+}
+
+TEST(Text, StreamsReadNumbersAsFromChars)
+{
+  const std::string letters = "0123456789+-.eEinfa x";
+  std::mt19937      random(7);
+  int               numbers = 0;
+  for (int i = 0; i < 200000; ++i)
+  {
+    std::string text(1 + random() % 6, ' ');
+    std::generate(text.begin(), text.end(), [&] { return letters[random() % letters.size()]; });
+    const auto number = ParseDouble(text);
+    const bool isTiny = number && *number != 0 && std::abs(*number) < std::numeric_limits<double>::min();
+    const auto streamed = itk::MedialVoxelText::ParseStreamedDouble(text);
+    ASSERT_EQ(streamed.has_value(), number && !isTiny) << text;
+    ASSERT_EQ(FormatNumber(streamed.value_or(0)), FormatNumber(isTiny ? 0 : number.value_or(0))) << text;
+    numbers += number.has_value();
+  }
+  EXPECT_GT(numbers, 10000);
+  for (int i = 0; i < 100000; ++i)
+  {
+    const std::string text =
+      FormatNumber(std::ldexp(random() * 1e-3 + random(), static_cast<int>(random() % 1900) - 950));
+    ASSERT_EQ(itk::MedialVoxelText::ParseStreamedDouble(text), ParseDouble(text)) << text;
+  }
+}
+
+TEST(Text, IntegersAreTheWholeText)
+{
   EXPECT_EQ(ParseInteger("-12"), -12);
   for (const char * const text : { "", "3.0", "1e3", "9223372036854775808" })
   {

@@ -7,6 +7,9 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <locale>
+#include <sstream>
 
 namespace itk
 {
@@ -44,7 +47,44 @@ IsBlank(char character)
 std::optional<double>
 ParseDouble(std::string_view text)
 {
+// libc++ has from_chars for real numbers from version 20 on, and macOS needs a newer system for it.
+#if defined(__APPLE__) || (defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 200000)
+  return ParseStreamedDouble(text);
+#else
   return ParseWhole<double>(text);
+#endif
+}
+
+std::optional<double>
+ParseStreamedDouble(std::string_view text)
+{
+  const bool hasSign = !text.empty() && (text.front() == '-' || text.front() == '+');
+  const bool isNegative = hasSign && text.front() == '-';
+  text.remove_prefix(hasSign ? 1 : 0);
+  const std::string name = ToLower(text);
+  double            value = std::numeric_limits<double>::infinity();
+  if (name == "nan")
+  {
+    value = std::numeric_limits<double>::quiet_NaN();
+  }
+  else if (name != "inf" && name != "infinity")
+  {
+    // A stream would take blanks, another sign and hexadecimal digits.
+    const bool isDecimal = text.find_first_not_of("+-.0123456789eE") == std::string_view::npos;
+    if (text.empty() || !isDecimal || text.front() == '-' || text.front() == '+')
+    {
+      return std::nullopt;
+    }
+    std::istringstream stream{ std::string(text) };
+    stream.imbue(std::locale::classic());
+    const bool isZero = text.substr(0, text.find_first_of("eE")).find_first_of("123456789") == std::string_view::npos;
+    if (!(stream >> value) || stream.peek() != std::istringstream::traits_type::eof() ||
+        (!isZero && value < std::numeric_limits<double>::min()))
+    {
+      return std::nullopt;
+    }
+  }
+  return isNegative ? -value : value;
 }
 
 std::optional<std::int64_t>

@@ -22,6 +22,11 @@ MedialVoxel_EXPORT std::optional<double>
 MedialVoxel_EXPORT std::optional<std::int64_t>
                    ParseInteger(std::string_view text);
 
+/** ParseDouble for libraries of C++ that read real numbers from streams alone. Refuses numbers nearer to zero than
+ * normal ones. */
+MedialVoxel_EXPORT std::optional<double>
+                   ParseStreamedDouble(std::string_view text);
+
 /** Shortest text that reads back as the same number. */
 MedialVoxel_EXPORT std::string
                    FormatNumber(double value);
