@@ -111,7 +111,7 @@ struct MedialVoxelTopologyCell
   std::uint16_t
   Pack() const
   {
-    return static_cast<std::uint16_t>(label | (isObject ? OfObject : 0u) | level << (LabelBits + 1));
+    return static_cast<std::uint16_t>(label | (isObject ? unsigned{ OfObject } : 0u) | level << (LabelBits + 1));
   }
 
   static MedialVoxelTopologyCell

@@ -51,7 +51,7 @@ MedialVoxelImportance::Compute(const MedialVoxelWindow &   window,
 {
   auto & queries = workspace.m_Queries;
   queries.clear();
-  importance.assign(tile.NumberOfVoxels(), 0.0F);
+  importance.assign(static_cast<size_t>(tile.NumberOfVoxels()), 0.0F);
   MedialVoxelAbortChecker checker;
   m_Pairs.Visit(*window.object, features, tile, [&](MedialVoxelCells & cells) {
     checker.Count(static_cast<std::uint32_t>(cells.number));

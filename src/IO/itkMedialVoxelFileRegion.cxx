@@ -143,7 +143,7 @@ SwapRange(void * buffer, std::uint64_t numberOfBytes)
     TUnsigned swapped = 0;
     for (size_t byte = 0; byte < sizeof(value); ++byte)
     {
-      swapped = static_cast<TUnsigned>((swapped << 8) | ((value >> (8 * byte)) & 0xFFu));
+      swapped = static_cast<TUnsigned>((swapped << 8) | ((value >> (8 * byte)) & 0xFF));
     }
     std::memcpy(bytes + position, &swapped, sizeof(swapped));
   }

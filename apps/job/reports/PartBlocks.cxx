@@ -127,7 +127,8 @@ PartBlocks::Count(const itk::MedialVoxelClassifiedTile & tile)
     for (WordType rest = object; rest != 0; rest &= rest - 1)
     {
       const std::int64_t at = x + itk::MedialVoxelLowestBit(rest);
-      counts[(at >> m_Level) - m_Blocks.lower[0]] += (at & between) == 0 ? 1 : 0;
+      std::uint8_t &     count = counts[(at >> m_Level) - m_Blocks.lower[0]];
+      count = static_cast<std::uint8_t>(count + ((at & between) == 0 ? 1 : 0));
     }
   }
 }

@@ -406,7 +406,7 @@ ReadDicomFrame(const SliceHeader & slice)
   }
   if (!file.isPacked && file.isBigEndian != itk::MachineIsBigEndian())
   {
-    itk::SwapComponentBytes(stored.data(), stored.size(), file.bits / 8);
+    itk::SwapComponentBytes(stored.data(), stored.size(), static_cast<unsigned int>(file.bits / 8));
   }
   return stored;
 }
