@@ -12,7 +12,10 @@
 
 #include <algorithm>
 #ifdef __GLIBC__
-#  include <malloc.h>
+#  if __GLIBC_PREREQ(2, 33)
+#    include <malloc.h>
+#    define MEDIALVOXEL_TEST_HEAP
+#  endif
 #endif
 
 namespace
@@ -23,7 +26,7 @@ using namespace MedialVoxelTest;
 std::uint64_t
 BytesOfHeap()
 {
-#ifdef __GLIBC__
+#ifdef MEDIALVOXEL_TEST_HEAP
   const struct mallinfo2 info = mallinfo2();
   return static_cast<std::uint64_t>(info.uordblks) + static_cast<std::uint64_t>(info.hblkhd);
 #else
