@@ -44,7 +44,7 @@ BlurredWall(const Index3 &           size,
   const auto   share = [&](double x) {
     return blur > 0.0 ? 0.5 * std::erfc(-x / (sigma * std::sqrt(2.0))) : std::clamp(0.5 + x / voxel, 0.0, 1.0);
   };
-  itk::ImageRegionIterator<GrayImage> value(image, image->GetLargestPossibleRegion());
+  itk::ImageRegionIteratorWithIndex<GrayImage> value(image, image->GetLargestPossibleRegion());
   for (; !value.IsAtEnd(); ++value)
   {
     Vector3 position;
@@ -104,13 +104,13 @@ inline CellErrors
 ErrorsOf(GrayFilter * filter, double thickness, int margin, const std::function<bool(const Vector3 &)> & isWanted = {})
 {
   filter->Update();
-  auto                                                       region = filter->GetOutput()->GetLargestPossibleRegion();
-  double                                                     sum = 0.0;
-  double                                                     squares = 0.0;
-  CellErrors                                                 errors;
-  std::size_t                                                rims = 0;
-  itk::ImageRegionConstIterator<GrayFilter::OutputImageType> label(filter->GetOutput(), region);
-  itk::ImageRegionConstIterator<GrayFilter::ThicknessImageType> value(filter->GetThicknessOutput(), region);
+  auto        region = filter->GetOutput()->GetLargestPossibleRegion();
+  double      sum = 0.0;
+  double      squares = 0.0;
+  CellErrors  errors;
+  std::size_t rims = 0;
+  itk::ImageRegionConstIteratorWithIndex<GrayFilter::OutputImageType>    label(filter->GetOutput(), region);
+  itk::ImageRegionConstIteratorWithIndex<GrayFilter::ThicknessImageType> value(filter->GetThicknessOutput(), region);
   for (; !label.IsAtEnd(); ++label, ++value)
   {
     bool isInside = label.Get() >= 2;

@@ -12,8 +12,8 @@
 
 #include "itkImage.h"
 #include "itkImageFileReader.h"
-#include "itkImageRegionConstIterator.h"
-#include "itkImageRegionIterator.h"
+#include "itkImageRegionConstIteratorWithIndex.h"
+#include "itkImageRegionIteratorWithIndex.h"
 #include "itkImageSource.h"
 #include "itkMetaImageIO.h"
 #include "itkNrrdImageIO.h"
@@ -59,7 +59,7 @@ MakeImage(const Volume &             volume,
   image->SetRegions(RegionOf<TImage::ImageDimension>(volume, start));
   image->SetSpacing(spacing);
   image->Allocate();
-  itk::ImageRegionIterator<TImage> it(image, image->GetLargestPossibleRegion());
+  itk::ImageRegionIteratorWithIndex<TImage> it(image, image->GetLargestPossibleRegion());
   for (std::size_t i = 0; i < volume.object.size(); ++i, ++it)
   {
     it.Set(volume.object[i] ? object : background);
@@ -72,8 +72,8 @@ template <typename TImage>
 std::vector<typename TImage::PixelType>
 PixelsOf(const TImage * image)
 {
-  std::vector<typename TImage::PixelType> pixels;
-  itk::ImageRegionConstIterator<TImage>   it(image, image->GetBufferedRegion());
+  std::vector<typename TImage::PixelType>        pixels;
+  itk::ImageRegionConstIteratorWithIndex<TImage> it(image, image->GetBufferedRegion());
   for (; !it.IsAtEnd(); ++it)
   {
     pixels.push_back(it.Get());
@@ -173,7 +173,11 @@ public:
   using RegionType = typename TImage::RegionType;
 
   itkNewMacro(Self);
+#ifdef itkOverrideGetNameOfClassMacro
+  itkOverrideGetNameOfClassMacro(RecordingSource);
+#else
   itkTypeMacro(RecordingSource, ImageSource);
+#endif
 
   void
   SetImage(const TImage * image)
@@ -227,8 +231,8 @@ protected:
     m_Requests.push_back(request);
     m_AskedByOneThread = m_AskedByOneThread && std::this_thread::get_id() == m_Thread;
     this->AllocateOutputs();
-    itk::ImageRegionConstIterator<TImage> from(m_Image, request);
-    itk::ImageRegionIterator<TImage>      to(output, request);
+    itk::ImageRegionConstIteratorWithIndex<TImage> from(m_Image, request);
+    itk::ImageRegionIteratorWithIndex<TImage>      to(output, request);
     for (; !from.IsAtEnd(); ++from, ++to)
     {
       to.Set(from.Get());

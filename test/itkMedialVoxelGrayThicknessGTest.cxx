@@ -106,7 +106,8 @@ TEST(MedialVoxelGrayThickness, AnObjectBelowAThresholdIsMeasuredToo)
   auto image =
     BlurredWall({ { 40, 40, 40 } }, UnitSpacing, 4.3, 0.5, ToPlane({ { 19.3, 19.6, 19.4 } }, { { 1, 2, 5 } }));
   const auto bright = ErrorsOf(MakeGrayFilter(image, 3.0), 4.3, 10);
-  for (itk::ImageRegionIterator<GrayImage> value(image, image->GetLargestPossibleRegion()); !value.IsAtEnd(); ++value)
+  for (itk::ImageRegionIteratorWithIndex<GrayImage> value(image, image->GetLargestPossibleRegion()); !value.IsAtEnd();
+       ++value)
   {
     value.Set(static_cast<short>(AirValue + MetalValue - value.Get()));
   }

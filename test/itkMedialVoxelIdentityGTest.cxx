@@ -106,9 +106,9 @@ RandomPieces(const itk::ImageRegion<3> & whole, int cuts, unsigned int seed)
 void
 CopyPiece(MedialFilter<3> * filter, const Volume & volume, const itk::ImageRegion<3> & region, Outcome & to)
 {
-  itk::ImageRegionConstIterator<MaskImage<3>> label(filter->GetOutput(), region);
-  itk::ImageRegionConstIterator<Vectors>      vector(filter->GetVectorDistanceOutput(), region);
-  itk::ImageRegionConstIterator<Thicknesses>  thickness(filter->GetThicknessOutput(), region);
+  itk::ImageRegionConstIteratorWithIndex<MaskImage<3>> label(filter->GetOutput(), region);
+  itk::ImageRegionConstIteratorWithIndex<Vectors>      vector(filter->GetVectorDistanceOutput(), region);
+  itk::ImageRegionConstIteratorWithIndex<Thicknesses>  thickness(filter->GetThicknessOutput(), region);
   for (; !label.IsAtEnd(); ++label, ++vector, ++thickness)
   {
     const auto   index = label.GetIndex();

@@ -290,11 +290,11 @@ TEST(MedialVoxelImageFilter, VectorsAreDisplacementsInSpace)
   filter->GenerateVectorDistanceOn();
   filter->SetVectorDistanceBoundary(itk::MedialVoxelBoundary::Background);
   filter->Update();
-  const auto                                                      sites = BoundarySites(volume);
-  const auto                                                      nearest = NearestBoundaryPoints(volume, sites);
-  std::size_t                                                     i = 0;
-  itk::ImageRegionConstIterator<MedialFilter<3>::VectorImageType> it(filter->GetVectorDistanceOutput(),
-                                                                     image->GetLargestPossibleRegion());
+  const auto  sites = BoundarySites(volume);
+  const auto  nearest = NearestBoundaryPoints(volume, sites);
+  std::size_t i = 0;
+  itk::ImageRegionConstIteratorWithIndex<MedialFilter<3>::VectorImageType> it(filter->GetVectorDistanceOutput(),
+                                                                              image->GetLargestPossibleRegion());
   for (; !it.IsAtEnd(); ++it, ++i)
   {
     if (volume.object[i] == 0)

@@ -20,9 +20,9 @@ template <typename TPixel>
 typename itk::Image<TPixel, 2>::Pointer
 ImageOfValues(const std::vector<TPixel> & values)
 {
-  const Volume                                    volume({ { static_cast<int>(values.size()), 3, 1 } }, UnitSpacing);
-  auto                                            image = MakeImage<itk::Image<TPixel, 2>>(volume);
-  itk::ImageRegionIterator<itk::Image<TPixel, 2>> it(image, image->GetLargestPossibleRegion());
+  const Volume volume({ { static_cast<int>(values.size()), 3, 1 } }, UnitSpacing);
+  auto         image = MakeImage<itk::Image<TPixel, 2>>(volume);
+  itk::ImageRegionIteratorWithIndex<itk::Image<TPixel, 2>> it(image, image->GetLargestPossibleRegion());
   for (std::size_t i = 0; !it.IsAtEnd(); ++it, ++i)
   {
     it.Set(values[i % values.size()]);
@@ -337,11 +337,11 @@ TEST(MedialVoxelObject, NaNIsBackgroundAndCounted)
 TEST(MedialVoxelObject, NaNIsCountedOnceHoweverTheWorkIsCut)
 {
   using ImageType = itk::Image<float, 3>;
-  const Volume                        volume = RandomBoxes({ { 40, 30, 35 } }, UnitSpacing, 20, 221);
-  const Volume                        nan = RandomVolume(volume.size, UnitSpacing, 0.05, 222);
-  auto                                image = MakeImage<ImageType>(volume);
-  itk::ImageRegionIterator<ImageType> it(image, image->GetLargestPossibleRegion());
-  std::vector<std::uint64_t>          perSlice(35, 0);
+  const Volume                                 volume = RandomBoxes({ { 40, 30, 35 } }, UnitSpacing, 20, 221);
+  const Volume                                 nan = RandomVolume(volume.size, UnitSpacing, 0.05, 222);
+  auto                                         image = MakeImage<ImageType>(volume);
+  itk::ImageRegionIteratorWithIndex<ImageType> it(image, image->GetLargestPossibleRegion());
+  std::vector<std::uint64_t>                   perSlice(35, 0);
   for (std::size_t i = 0; !it.IsAtEnd(); ++it, ++i)
   {
     if (nan.object[i])

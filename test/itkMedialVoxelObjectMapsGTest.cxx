@@ -110,7 +110,7 @@ RunInRegions(TFilter & filter, const std::vector<typename TFilter::OutputImageRe
     filter.GetOutput()->UpdateOutputData();
     EXPECT_EQ(filter.GetOutput()->GetBufferedRegion(), region);
     EXPECT_EQ(filter.GetObjectOutput()->GetBufferedRegion(), region);
-    itk::ImageRegionConstIterator<typename TFilter::OutputImageType> it(filter.GetOutput(), region);
+    itk::ImageRegionConstIteratorWithIndex<typename TFilter::OutputImageType> it(filter.GetOutput(), region);
     for (; !it.IsAtEnd(); ++it)
     {
       const auto at = static_cast<std::size_t>(frame->ComputeOffset(it.GetIndex()));

@@ -166,7 +166,7 @@ TEST(MedialVoxelPores, RegionsOfAnyPlaceHoldTheSameLabels)
     filter->GetOutput()->SetRequestedRegion(region);
     filter->Update();
     std::vector<unsigned char> labels;
-    for (itk::ImageRegionConstIterator<MaskImage<3>> it(filter->GetOutput(), region); !it.IsAtEnd(); ++it)
+    for (itk::ImageRegionConstIteratorWithIndex<MaskImage<3>> it(filter->GetOutput(), region); !it.IsAtEnd(); ++it)
     {
       const auto & v = it.GetIndex();
       labels.push_back(expected.labels[volume.Offset({ { int(v[0]), int(v[1]), int(v[2]) } })]);
@@ -260,7 +260,7 @@ TEST(MedialVoxelPores, ThicknessOnGrayValuesDoesNotDependOnDivisions)
   const Volume volume = VolumeWithPores({ { 60, 40, 36 } }, SkewSpacing, 9, 990);
   const auto   image = MakeImage<ImageType>(volume);
   std::mt19937 generator(991);
-  for (itk::ImageRegionIterator<ImageType> it(image, image->GetLargestPossibleRegion()); !it.IsAtEnd(); ++it)
+  for (itk::ImageRegionIteratorWithIndex<ImageType> it(image, image->GetLargestPossibleRegion()); !it.IsAtEnd(); ++it)
   {
     it.Set(it.Get() + static_cast<float>(generator() % 1000) / 2100.0f - 0.238f);
   }

@@ -77,7 +77,7 @@ std::vector<typename TImage::PixelType>
 Cut(const TImage * image, const typename TImage::RegionType & region)
 {
   std::vector<typename TImage::PixelType> pixels;
-  for (itk::ImageRegionConstIterator<TImage> it(image, region); !it.IsAtEnd(); ++it)
+  for (itk::ImageRegionConstIteratorWithIndex<TImage> it(image, region); !it.IsAtEnd(); ++it)
   {
     pixels.push_back(it.Get());
   }

@@ -89,7 +89,7 @@ FindLevel(const TImage * image, const double threshold, const bool objectIsAbove
 {
   double below = -std::numeric_limits<double>::infinity();
   double above = std::numeric_limits<double>::infinity();
-  for (itk::ImageRegionConstIterator<TImage> it(image, image->GetBufferedRegion()); !it.IsAtEnd(); ++it)
+  for (itk::ImageRegionConstIteratorWithIndex<TImage> it(image, image->GetBufferedRegion()); !it.IsAtEnd(); ++it)
   {
     const auto value = static_cast<double>(it.Get());
     const bool isAbove = objectIsAbove ? value >= threshold : value > threshold;

@@ -26,7 +26,7 @@ GrayValues(const Part & part, double blur, const Vector3 & spacing = UnitSpacing
 {
   const double deviation = std::sqrt(blur * blur + 1.0 / 12);
   const auto   image = MakeImage<GrayImage>(MakeVolume(part.size, spacing, [](const Index3 &) { return false; }));
-  itk::ImageRegionIterator<GrayImage> value(image, image->GetLargestPossibleRegion());
+  itk::ImageRegionIteratorWithIndex<GrayImage> value(image, image->GetLargestPossibleRegion());
   for (; !value.IsAtEnd(); ++value)
   {
     const auto   index = value.GetIndex();
@@ -184,7 +184,7 @@ TEST(MedialVoxelSurfaceGray, ValuesThatTellNothingBreakNothing)
   // No gray between the materials, specks, and values that are not a number or infinite.
   auto         image = MakeImage<GrayImage>(RandomBoxes({ { 40, 30, 26 } }, UnitSpacing, 30, 98));
   std::mt19937 generator(11);
-  itk::ImageRegionIterator<GrayImage> value(image, image->GetLargestPossibleRegion());
+  itk::ImageRegionIteratorWithIndex<GrayImage> value(image, image->GetLargestPossibleRegion());
   for (; !value.IsAtEnd(); ++value)
   {
     const auto kind = generator() % 50;

@@ -143,8 +143,8 @@ SheetMesh::Finish(std::uint64_t memoryLimit, unsigned int threads, const std::fu
     this->CompleteSheet();
   }
   // They are in memory until all faces are there.
-  memoryLimit -=
-    std::min(memoryLimit, m_Walls.points.size() * (sizeof(m_Walls.points.front()) + sizeof(m_Walls.wallOf.front())));
+  memoryLimit -= std::min<std::uint64_t>(
+    memoryLimit, m_Walls.points.size() * (sizeof(m_Walls.points.front()) + sizeof(m_Walls.wallOf.front())));
   if (m_Cleaning.IsOn())
   {
     m_Cleaning.memoryLimit += memoryLimit;
