@@ -161,15 +161,17 @@ Rename(const std::filesystem::path & from, const std::filesystem::path & to, Tak
   {
     return rename(from.c_str(), to.c_str()) == 0;
   }
-#ifdef RENAME_EXCHANGE
+#if defined(RENAME_EXCHANGE) || defined(RENAME_SWAP)
+#  ifdef RENAME_EXCHANGE
   const unsigned int flag = taken == TakenName::Stays ? RENAME_NOREPLACE : RENAME_EXCHANGE;
-  if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), flag) == 0)
+  const int          result = renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), flag);
+#  else
+  const unsigned int flag = taken == TakenName::Stays ? RENAME_EXCL : RENAME_SWAP;
+  const int          result = renamex_np(from.c_str(), to.c_str(), flag);
+#  endif
+  if (result == 0 || (errno != EINVAL && errno != ENOSYS && errno != ENOTSUP))
   {
-    return true;
-  }
-  if (errno != EINVAL && errno != ENOSYS)
-  {
-    return false;
+    return result == 0;
   }
 #endif
   // File systems without these renames: a moment remains between the question and the answer.
@@ -359,6 +361,13 @@ SystemFile::SyncData() const
 bool
 SystemFile::Sync() const
 {
+#ifdef F_FULLFSYNC
+  // There fsync leaves data in the cache of the disk; file systems of networks know fsync alone.
+  if (m_Descriptor >= 0 && fcntl(m_Descriptor, F_FULLFSYNC) != -1)
+  {
+    return true;
+  }
+#endif
   return m_Descriptor >= 0 && fsync(m_Descriptor) == 0;
 }
 
