@@ -46,7 +46,7 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::VerifyInputInformation() cons
   const auto & input = dynamic_cast<const InputImageType &>(*this->GetPrimaryInput());
   const auto   placement = GetPlacement(input);
   const auto   size = GetSize(input);
-  if (sizeof(typename OutputMeshType::CoordRepType) < sizeof(double) && !placement.FitsFloat(size))
+  if (sizeof(typename OutputMeshType::PointType::ValueType) < sizeof(double) && !placement.FitsFloat(size))
   {
     itkExceptionMacro("Coordinates of the image reach "
                       << placement.LargestCoordinate(size) << " with spacing " << input.GetSpacing()

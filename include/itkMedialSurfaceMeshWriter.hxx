@@ -35,7 +35,7 @@ public:
       typename OutputMeshType::PointType point;
       for (unsigned int axis = 0; axis < 3; ++axis)
       {
-        point[axis] = static_cast<typename OutputMeshType::CoordRepType>(vertex.point[axis]);
+        point[axis] = static_cast<typename OutputMeshType::PointType::ValueType>(vertex.point[axis]);
       }
       m_Mesh.SetPoint(m_NumberOfPoints, point);
       m_Mesh.SetPointData(m_NumberOfPoints, static_cast<typename OutputMeshType::PixelType>(vertex.thickness));
