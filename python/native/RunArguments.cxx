@@ -116,7 +116,8 @@ SetOptions(unsigned int command, const std::vector<std::string> & words, const O
   for (const std::string & word : words)
   {
     const std::size_t sign = word.compare(0, 2, "--") == 0 ? word.find('=') : std::string::npos;
-    const OptionRow & row = FindRow(command, word.substr(0, sign), arguments);
+    const std::string name = word.substr(0, sign);
+    const OptionRow & row = FindRow(command, name, arguments);
     const std::string text = row.IsArgument() ? word : (sign == std::string::npos ? "true" : word.substr(sign + 1));
     try
     {
