@@ -306,12 +306,14 @@ TEST(SharedVolume, IsWrittenByManyAndPublishedByOne)
   for (const char * const name : { "a.mha", "a.mhd", "a.nrrd", "a.nhdr" })
   {
     const TemporaryFolder folder;
-    OutputVolume          plain(folder / (std::string("plain-") + name), false, false);
-    plain.Create(MakeGeometry(), Bytes);
-    const std::string content = "abcdefghijklmnopqrstuvwxyz1234";
-    plain.Write(0, content.size(), content.data());
-    plain.Finish();
-    plain.Publish();
+    const std::string     content = "abcdefghijklmnopqrstuvwxyz1234";
+    {
+      OutputVolume plain(folder / (std::string("plain-") + name), false, false);
+      plain.Create(MakeGeometry(), Bytes);
+      plain.Write(0, content.size(), content.data());
+      plain.Finish();
+      plain.Publish();
+    }
 
     OutputVolume(folder / name, false, false).CreateShared(MakeGeometry(), Bytes, ".job");
     EXPECT_FALSE(std::filesystem::exists(folder / name));
