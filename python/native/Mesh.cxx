@@ -42,7 +42,7 @@ nlohmann::json
 MeshArray(const ArrayCall & call, const ExtractOptions & given, ArrayMesh & mesh)
 {
   ExtractOptions options = given;
-  options.scratchFolder = std::filesystem::temp_directory_path();
+  options.scratchFolder = std::filesystem::temp_directory_path().string();
   const VolumeGeometry & geometry = call.header.geometry;
   CheckElementSize(options, geometry);
   ArrayEngine                 engine(call, options);
