@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 
 # Labels of the fixtures against their pinned SHA-256.
-# Usage: cmake -D DUMP=<MedialVoxelTestDump> -D PINS=<Fixtures.sha256> -D FOLDER=<scratch> -P CheckFixtures.cmake
+# Usage: cmake -D DUMP=<MedialVoxelTestDump> -D PINS=<Fixtures.sha256> -D FOLDER=<scratch> [-D EMULATOR=<what runs it>]
+#          -P CheckFixtures.cmake
 
 file(MAKE_DIRECTORY "${FOLDER}")
 file(STRINGS "${PINS}" lines)
@@ -17,7 +18,7 @@ foreach(line IN LISTS lines)
   if(NOT matched)
     message(FATAL_ERROR "${PINS}: '${line}' is not '<sha256>  <fixture>.labels'")
   endif()
-  execute_process(COMMAND "${DUMP}" labels "${fixture}" "${FOLDER}/${fixture}.labels" RESULT_VARIABLE status)
+  execute_process(COMMAND ${EMULATOR} "${DUMP}" labels "${fixture}" "${FOLDER}/${fixture}.labels" RESULT_VARIABLE status)
   if(NOT status EQUAL 0)
     message(FATAL_ERROR "${DUMP} labels ${fixture} failed: ${status}")
   endif()

@@ -21,7 +21,7 @@ endif()
 add_test(
   NAME MedialVoxelFixtures
   COMMAND
-    "${CMAKE_COMMAND}" -D "DUMP=$<TARGET_FILE:MedialVoxelTestDump>" -D
+    "${CMAKE_COMMAND}" -D "DUMP=$<TARGET_FILE:MedialVoxelTestDump>" -D "EMULATOR=${CMAKE_CROSSCOMPILING_EMULATOR}" -D
     "PINS=${CMAKE_CURRENT_SOURCE_DIR}/Fixtures.sha256" -D "FOLDER=${CMAKE_CURRENT_BINARY_DIR}/fixtures" -P
     "${CMAKE_CURRENT_SOURCE_DIR}/CheckFixtures.cmake")
 
