@@ -63,8 +63,9 @@ find_package(ITK 5.2 REQUIRED COMPONENTS ${ITK_MODULE_MedialVoxel_DEPENDS})
 itk_module_config(MedialVoxelITK ${ITK_MODULE_MedialVoxel_DEPENDS})
 add_subdirectory("${PROJECT_SOURCE_DIR}/src")
 
-include("${PROJECT_SOURCE_DIR}/cmake/MedialVoxelInstall.cmake")
+# Optional, as all folders beside the module
+include("${PROJECT_SOURCE_DIR}/cmake/MedialVoxelInstall.cmake" OPTIONAL)
 if(BUILD_TESTING AND PROJECT_IS_TOP_LEVEL)
-  include("${PROJECT_SOURCE_DIR}/cmake/MedialVoxelHeaderTest.cmake")
+  include("${PROJECT_SOURCE_DIR}/cmake/MedialVoxelHeaderTest.cmake" OPTIONAL)
   add_subdirectory("${PROJECT_SOURCE_DIR}/test")
 endif()
