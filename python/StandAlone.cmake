@@ -8,12 +8,8 @@ set(_root "${CMAKE_CURRENT_SOURCE_DIR}/..")
 file(STRINGS "${_root}/CMakeLists.txt" _version REGEX "^ *VERSION [0-9.]+$")
 string(REGEX REPLACE "[^0-9.]" "" MedialVoxel_VERSION "${_version}")
 
-# medialvoxel_compile_options(<target>): as the library is compiled, for results that do not depend on who builds
-function(medialvoxel_compile_options target)
-  target_compile_features(${target} PRIVATE cxx_std_17)
-  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF CXX_VISIBILITY_PRESET hidden)
-  target_compile_options(${target} PRIVATE $<IF:$<CXX_COMPILER_ID:MSVC>,/fp:precise,-ffp-contract=off>)
-endfunction()
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+include("${_root}/src/CompileOptions.cmake")
 
 # JSON for Modern C++, of the system or of the package nlohmann_json, which pip installs for the build.
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
