@@ -8,6 +8,7 @@
 #include "itkMedialVoxelGridLimits.h"
 #include "itkMedialVoxelMemoryShortage.h"
 #include "itkMedialVoxelProgress.h"
+#include "itkMedialVoxelSurfaceObserver.h"
 
 #include <algorithm>
 #include <new>
@@ -80,6 +81,10 @@ Guard(MedialVoxelResult & result, TWork && work)
   catch (const std::bad_alloc &)
   {
     fail(MedialVoxelOutOfMemory, "out of memory");
+  }
+  catch (const itk::MedialVoxelSurfacePieceError & error)
+  {
+    fail(MedialVoxelOutOfMemory, error.what());
   }
   catch (const MemoryRefusal & error)
   {

@@ -4,7 +4,6 @@
 #include "ProcessMemory.h"
 #include "RimRays.h"
 #include "SheetMesh.h"
-#include "SheetObserver.h"
 #include "MeshReader.h"
 #include "SheetRemeshing.h"
 
@@ -50,8 +49,8 @@ MeshArray(const ArrayCall & call, const ExtractOptions & given, ArrayMesh & mesh
   engine.Prepare(object, options);
   const ArrayMeasure measure =
     engine.FindMeasure(object, MayMeasureOnGrayValues(options, call.header), "", options.materials);
-  const std::uint64_t             pending = GetSheetFootprint(options, geometry, engine.GetGrid()).surplus.most;
-  SheetMesh                       surface(options, geometry, engine.GetGrid(), geometry.GetNumberOfVoxels() * pending);
+  const std::uint64_t             memoryLimit = options.memoryLimit.value_or(GetFreeMemory() / 2);
+  SheetMesh                       surface(options, geometry, engine.GetGrid(), memoryLimit);
   itk::MedialVoxelSheetExtraction extraction;
   extraction.parameters = GetParameters(options, engine.GetGrid());
   extraction.grayRange = measure.range;
@@ -60,7 +59,6 @@ MeshArray(const ArrayCall & call, const ExtractOptions & given, ArrayMesh & mesh
   RimRays rays(object, geometry, measure.range);
   surface.FindEdgesWith([&rays](const auto & bundle) { return rays.Measure(bundle); });
   engine.ReadBeforeRun([&](const auto & observer) {
-    const std::uint64_t memoryLimit = options.memoryLimit.value_or(GetFreeMemory() / 2);
     CopyMesh(surface.Finish(memoryLimit, engine.GetNumberOfThreads(), observer), mesh);
   });
   return nlohmann::json::object();

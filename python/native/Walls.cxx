@@ -26,10 +26,9 @@ NumberArrayWalls(const ArrayCall & call, const ExtractOptions & given)
   extraction.parameters = GetParameters(options, engine.GetGrid());
   extraction.grayRange =
     engine.FindMeasure(object, MayMeasureOnGrayValues(options, call.header), "", options.materials).range;
-  const std::uint64_t pending = GetSheetFootprint(options, geometry, engine.GetGrid()).surplus.most;
-  SheetInMemory       sheet(options.memoryLimit.value_or(GetFreeMemory() / 2));
-  const auto          observer =
-    MakeSheetObserver(options, geometry, engine.GetGrid(), geometry.GetNumberOfVoxels() * pending, {}, sheet);
+  const std::uint64_t memoryLimit = options.memoryLimit.value_or(GetFreeMemory() / 2);
+  SheetInMemory       sheet(memoryLimit);
+  const auto          observer = MakeSheetObserver(options, geometry, engine.GetGrid(), memoryLimit, {}, sheet);
   extraction.AddObserver(*observer);
   const auto     sums = engine.Run(object, extraction, [](const itk::MedialVoxelTileResult &) {});
   nlohmann::json numbers = engine.ReadBeforeRun([&](const auto & check) {

@@ -40,6 +40,12 @@ class Meshes(unittest.TestCase):
         self.assertTrue((self.mesh.points >= 0).all())
         self.assertTrue((self.mesh.points <= np.array([2.0, 1.0, 0.5]) * (np.array(scene().shape) - 1)).all())
 
+    def test_a_sheet_at_every_second_voxel(self):
+        stripes = np.indices((96, 96, 96)).sum(0) % 6 < 3
+        self.assertGreater(len(medialvoxel.mesh(stripes).points), 96**3 / 3)
+        with self.assertRaisesRegex(MemoryError, "more cells than fit into the memory that is allowed"):
+            medialvoxel.mesh(stripes, thickness=3, memory="20M")
+
     def test_an_empty_mesh(self):
         empty = medialvoxel.mesh(np.zeros((4, 4, 4)))
         self.assertEqual((empty.points.shape, empty.faces.shape, empty.triangles.shape), ((0, 3), (0, 4), (0, 3)))

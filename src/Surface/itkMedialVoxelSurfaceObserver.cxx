@@ -85,7 +85,7 @@ struct MedialVoxelSurfaceObserver::Worker : public Workspace
 };
 
 MedialVoxelSurfacePieceError::MedialVoxelSurfacePieceError()
-  : std::runtime_error("The medial surface has too many cells for pieces of this size.")
+  : std::runtime_error("the medial surface has more cells than fit into the memory that is allowed")
 {}
 
 MedialVoxelSurfaceObserver::MedialVoxelSurfaceObserver(const MedialVoxelGrid &              grid,
