@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <type_traits>
 
 namespace
 {
@@ -380,6 +381,82 @@ TEST(MedialVoxelObject, RealThresholdsAreNotRounded)
   const float tenth = 0.1f; // slightly more than 0.1
   EXPECT_EQ(ObjectOf<float>({ 0.0f, tenth, 0.0f }, [](auto * f) { f->SetLowerThreshold(0.1); }), "010");
   EXPECT_EQ(ObjectOf<float>({ 1.0f, tenth, 0.0f }, [](auto * f) { f->SetUpperThreshold(0.1); }), "001");
+}
+
+/** Every pair of limits and every value: bits of a row are what a comparison of numbers says. */
+template <typename TPixel>
+void
+CheckRows(const std::vector<TPixel> & values)
+{
+  using Limits = std::numeric_limits<TPixel>;
+  const double              largest = static_cast<double>(Limits::max());
+  const double              least = static_cast<double>(Limits::lowest());
+  const std::vector<double> limits{ -Infinity, 2.0 * least - 1.0, least, -2.5, -1.0, 0.0,  0.1,
+                                    0.5,       1.0,               7.0,   99.5, 100,  255., largest,
+                                    2.0 * largest,                Infinity };
+  std::vector<TPixel>       pixels;
+  while (pixels.size() < 200)
+  {
+    pixels.insert(pixels.end(), values.begin(), values.end());
+  }
+  const auto check = [&](const auto & predicate, const auto & isObject, const std::int64_t first) {
+    std::vector<itk::MedialVoxelBits::WordType> words(pixels.size() / 64 + 3, 0);
+    itk::MedialVoxelPackRow(pixels.data(), first, static_cast<std::int64_t>(pixels.size()), predicate, words.data());
+    for (std::size_t i = 0; i < 64 * words.size(); ++i)
+    {
+      const std::size_t pixel = i - static_cast<std::size_t>(first);
+      const bool        bit = (words[i / 64] >> (i % 64) & 1) != 0;
+      ASSERT_EQ(bit, pixel < pixels.size() && isObject(pixels[pixel])) << sizeof(TPixel) << ", pixel " << pixel;
+    }
+  };
+  using Predicate = itk::MedialVoxelObjectPredicate<TPixel>;
+  for (const std::int64_t first : { 0, 1, 63, 64 })
+  {
+    for (const double lower : limits)
+    {
+      for (const double upper : limits)
+      {
+        const auto isObject = [=](const TPixel value) {
+          return static_cast<double>(value) >= lower && static_cast<double>(value) <= upper;
+        };
+        check(Predicate::InRange(lower, upper), isObject, first);
+      }
+    }
+    for (const TPixel value : values)
+    {
+      check(Predicate::EqualTo(value), [=](const TPixel other) { return other == value; }, first);
+      const auto isOther = [=](const TPixel other) { return other == other && other != value; };
+      check(Predicate::DifferentFrom(value), isOther, first);
+    }
+  }
+}
+
+TEST(MedialVoxelObject, RowsOfEveryTypeAreComparedAsNumbers)
+{
+  const auto ofIntegers = [](const auto zero) {
+    using Pixel = std::decay_t<decltype(zero)>;
+    using Limits = std::numeric_limits<Pixel>;
+    // Of 64 bits: values that are doubles, too.
+    const auto most = static_cast<Pixel>(sizeof(Pixel) < 8 ? Limits::max() : Limits::max() / 2 + 1);
+    CheckRows<Pixel>({ Limits::lowest(), Pixel{ 0 }, Pixel{ 1 }, Pixel{ 7 }, Pixel{ 99 }, Pixel{ 100 }, most });
+  };
+  ofIntegers(std::uint8_t{});
+  ofIntegers(std::int8_t{});
+  ofIntegers(std::uint16_t{});
+  ofIntegers(std::int16_t{});
+  ofIntegers(std::uint32_t{});
+  ofIntegers(std::int32_t{});
+  ofIntegers(std::uint64_t{});
+  ofIntegers(std::int64_t{});
+  const auto ofReals = [](const auto zero) {
+    using Pixel = std::decay_t<decltype(zero)>;
+    using Limits = std::numeric_limits<Pixel>;
+    CheckRows<Pixel>({ -Limits::infinity(), Limits::lowest(), Pixel(-2.5), -zero, zero, Limits::denorm_min(), Pixel(0.1),
+                       std::nextafter(Pixel(0.1), zero), Pixel(0.5), Pixel(1), Pixel(99.5), Limits::max(),
+                       Limits::infinity(), Limits::quiet_NaN() });
+  };
+  ofReals(0.0f);
+  ofReals(0.0);
 }
 
 TEST(MedialVoxelObject, BytesOfZerosAreToldFromAllOthers)

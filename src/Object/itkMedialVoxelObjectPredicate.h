@@ -9,6 +9,7 @@
 #include "itkMedialVoxelRows.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -36,9 +37,8 @@ public:
   static MedialVoxelObjectPredicate
   DifferentFrom(const TPixel background)
   {
-    MedialVoxelObjectPredicate predicate;
-    predicate.m_IsRange = false;
-    predicate.m_Lower = background;
+    MedialVoxelObjectPredicate predicate = EqualTo(background);
+    predicate.m_IsInside = false;
     return predicate;
   }
 
@@ -46,49 +46,76 @@ public:
   static MedialVoxelObjectPredicate
   EqualTo(const TPixel value)
   {
-    MedialVoxelObjectPredicate predicate;
-    predicate.m_IsRange = true;
-    predicate.m_Lower = value;
-    predicate.m_Upper = value;
-    return predicate;
+    return { value, value };
   }
 
   /** The values v with lower <= v <= upper. */
   static MedialVoxelObjectPredicate
   InRange(const MedialVoxelExactNumber & lower, const MedialVoxelExactNumber & upper)
   {
-    MedialVoxelObjectPredicate predicate;
-    predicate.m_IsRange = true;
     if constexpr (std::is_floating_point<TPixel>::value)
     {
-      predicate.m_Lower = lower.GetFirstDouble();
-      predicate.m_Upper = upper.GetLastDouble();
+      return { FirstFrom(lower.GetFirstDouble()), -FirstFrom(-upper.GetLastDouble()) };
     }
     else
     {
       using Limits = std::numeric_limits<TPixel>;
       const std::optional<TPixel> first = lower.GetFirstValue<TPixel>();
       const std::optional<TPixel> last = upper.GetLastValue<TPixel>();
-      // An empty range is written as one that no value fulfills.
-      const bool isEmpty = !first || !last;
-      predicate.m_Lower = isEmpty ? Limits::max() : *first;
-      predicate.m_Upper = isEmpty ? Limits::lowest() : *last;
+      if (first && last && *first <= *last)
+      {
+        return { *first, *last };
+      }
+      MedialVoxelObjectPredicate none{ Limits::lowest(), Limits::max() };
+      none.m_IsInside = false;
+      return none;
     }
-    return predicate;
   }
 
+  /** Without branches, so that compilers make vectors of it. */
   bool
   operator()(const TPixel value) const
   {
-    return m_IsRange ? (value >= m_Lower && value <= m_Upper) : (value != m_Lower && value == value);
+    if constexpr (std::is_floating_point<TPixel>::value)
+    {
+      return m_IsInside ? (value >= m_Lower) & (value <= m_Upper) : (value != m_Lower) & (value == value);
+    }
+    else
+    {
+      // Below the lower limit the difference is larger than any width.
+      using Unsigned = std::make_unsigned_t<TPixel>;
+      const auto width = static_cast<Unsigned>(static_cast<Unsigned>(m_Upper) - static_cast<Unsigned>(m_Lower));
+      return (static_cast<Unsigned>(static_cast<Unsigned>(value) - static_cast<Unsigned>(m_Lower)) <= width) == m_IsInside;
+    }
   }
 
 private:
-  using LimitType = std::conditional_t<std::is_floating_point<TPixel>::value, double, TPixel>;
+  MedialVoxelObjectPredicate(const TPixel lower, const TPixel upper)
+    : m_Lower(lower)
+    , m_Upper(upper)
+  {}
 
-  bool      m_IsRange{ false };
-  LimitType m_Lower{};
-  LimitType m_Upper{};
+  /** The first value that is not less; infinity beyond all. */
+  static TPixel
+  FirstFrom(const double limit)
+  {
+    constexpr TPixel infinity = std::numeric_limits<TPixel>::infinity();
+    constexpr TPixel largest = std::numeric_limits<TPixel>::max();
+    if (limit > static_cast<double>(largest))
+    {
+      return infinity;
+    }
+    if (limit < -static_cast<double>(largest))
+    {
+      return limit < -std::numeric_limits<double>::max() ? -infinity : -largest;
+    }
+    const auto nearest = static_cast<TPixel>(limit);
+    return static_cast<double>(nearest) < limit ? std::nextafter(nearest, infinity) : nearest;
+  }
+
+  TPixel m_Lower;
+  TPixel m_Upper;
+  bool   m_IsInside{ true };
 };
 
 /** \brief True when all bytes of \a count pixels are zero, so that all numbers are 0.
@@ -116,6 +143,43 @@ MedialVoxelAreAllZero(const TPixel * const pixels, const std::int64_t count)
   return any == 0;
 }
 
+/** \brief Bit i says whether pixel i of \a count, at most 64, fulfills \a predicate.
+ *
+ * \param predicate a copy, as writing bytes could change another one; compilers then make vectors of the first loop
+ * \ingroup MedialVoxel
+ */
+template <typename TPixel, typename TPredicate>
+MedialVoxelBits::WordType
+MedialVoxelPackWord(const TPixel * const pixels, const std::int64_t count, const TPredicate predicate)
+{
+  constexpr std::int64_t bitsPerWord = MedialVoxelBits::BitsPerWord;
+  constexpr std::int64_t bitsPerByte = 8;
+  std::uint8_t           fulfilled[bitsPerWord];
+  if (count == bitsPerWord)
+  {
+    for (std::int64_t i = 0; i < bitsPerWord; ++i)
+    {
+      fulfilled[i] = predicate(pixels[i]) ? 1 : 0;
+    }
+  }
+  else
+  {
+    std::fill(std::transform(pixels, pixels + count, fulfilled, predicate), fulfilled + bitsPerWord, std::uint8_t{ 0 });
+  }
+  MedialVoxelBits::WordType bits = 0;
+  for (std::int64_t byte = 0; byte < bitsPerByte; ++byte)
+  {
+    std::uint64_t eight = 0;
+    for (std::int64_t i = 0; i < bitsPerByte; ++i)
+    {
+      eight |= std::uint64_t{ fulfilled[byte * bitsPerByte + i] } << (i * bitsPerByte);
+    }
+    // Moves the lowest bit of byte i to bit i of the topmost byte.
+    bits |= ((eight * 0x0102040810204080u) >> 56) << (byte * bitsPerByte);
+  }
+  return bits;
+}
+
 /** \brief Set the bits of the pixels that fulfill \a predicate, for \a count pixels the first of which is voxel \a x.
  *
  * \a row points to where image-wide word 0 would be. Bits are only set, never cleared.
@@ -130,41 +194,19 @@ MedialVoxelPackRow(const TPixel *                    pixels,
                    MedialVoxelBits::WordType * const row)
 {
   constexpr std::int64_t bitsPerWord = MedialVoxelBits::BitsPerWord;
-  constexpr std::int64_t bitsPerByte = 8;
   const std::int64_t     end = x + count;
-  // Most of a volume is zero; comparing whole words finds that quickly.
+  // Most of a mask is zero; comparing whole words finds that quickly.
   const bool skipsZeros = !predicate(TPixel{});
   for (std::int64_t begin = x; begin < end;)
   {
     const std::int64_t word = begin / bitsPerWord;
-    const std::int64_t wordEnd = std::min((word + 1) * bitsPerWord, end);
-    const std::int64_t first = begin % bitsPerWord;
-    if (skipsZeros && MedialVoxelAreAllZero(pixels, wordEnd - begin))
+    const std::int64_t pixelsOfWord = std::min((word + 1) * bitsPerWord, end) - begin;
+    if (!skipsZeros || !MedialVoxelAreAllZero(pixels, pixelsOfWord))
     {
-      pixels += wordEnd - begin;
-      begin = wordEnd;
-      continue;
+      row[word] |= MedialVoxelPackWord(pixels, pixelsOfWord, predicate) << (begin % bitsPerWord);
     }
-    // Comparisons to bytes and the gathering of bytes to bits are two loops, each of which compilers vectorize.
-    std::uint8_t fulfilled[bitsPerWord] = {};
-    for (std::int64_t i = 0; i < wordEnd - begin; ++i)
-    {
-      fulfilled[first + i] = predicate(pixels[i]) ? 1 : 0;
-    }
-    MedialVoxelBits::WordType bits = 0;
-    for (std::int64_t byte = 0; byte < bitsPerByte; ++byte)
-    {
-      std::uint64_t eight = 0;
-      for (std::int64_t i = 0; i < bitsPerByte; ++i)
-      {
-        eight |= std::uint64_t{ fulfilled[byte * bitsPerByte + i] } << (i * bitsPerByte);
-      }
-      // Moves the lowest bit of byte i to bit i of the topmost byte.
-      bits |= ((eight * 0x0102040810204080u) >> 56) << (byte * bitsPerByte);
-    }
-    row[word] |= bits;
-    pixels += wordEnd - begin;
-    begin = wordEnd;
+    pixels += pixelsOfWord;
+    begin += pixelsOfWord;
   }
 }
 
