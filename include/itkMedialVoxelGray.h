@@ -9,7 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <memory>
 
 namespace itk
 {
@@ -49,7 +49,7 @@ public:
   std::uint64_t
   GetReservedBytes() const
   {
-    return m_Values.size() * sizeof(float);
+    return m_NumberOfValues * sizeof(float);
   }
 
   const MedialVoxelBox &
@@ -62,13 +62,13 @@ public:
   float *
   GetRow(std::int64_t y, std::int64_t z)
   {
-    return m_Values.data() + this->OffsetOf(m_Box.lower[0], y, z);
+    return m_Values.get() + this->OffsetOf(m_Box.lower[0], y, z);
   }
 
   const float *
   GetRow(std::int64_t y, std::int64_t z) const
   {
-    return m_Values.data() + this->OffsetOf(m_Box.lower[0], y, z);
+    return m_Values.get() + this->OffsetOf(m_Box.lower[0], y, z);
   }
 
   /** The value of a voxel of the box. */
@@ -90,8 +90,10 @@ private:
   bool
   IsInPlace(const MedialVoxelBox & box) const;
 
-  MedialVoxelBox     m_Box;
-  std::vector<float> m_Values;
+  MedialVoxelBox m_Box;
+  // No vector, which one thread would fill with zeros.
+  std::unique_ptr<float[]> m_Values;
+  std::size_t              m_NumberOfValues{ 0 };
 };
 
 } // end namespace itk

@@ -27,13 +27,13 @@ MedialVoxelGray::IsInPlace(const MedialVoxelBox & box) const
       return false;
     }
   }
-  return static_cast<std::uint64_t>(box.NumberOfVoxels()) <= m_Values.size();
+  return static_cast<std::uint64_t>(box.NumberOfVoxels()) <= m_NumberOfValues;
 }
 
 std::uint64_t
 MedialVoxelGray::GetBytesToReframe(const MedialVoxelBox & box, const MedialVoxelBox & largestBox) const
 {
-  const std::uint64_t old = m_Values.size() * sizeof(float);
+  const std::uint64_t old = this->GetReservedBytes();
   return this->IsInPlace(box) ? old : old + std::max(GetBytes(box), GetBytes(largestBox));
 }
 
@@ -78,8 +78,9 @@ MedialVoxelGray::Frame(const MedialVoxelBox & box, const MedialVoxelBox & larges
   if (bytes != this->GetReservedBytes())
   {
     // Free the old memory first, so that both never exist at the same time.
-    std::vector<float>().swap(m_Values);
-    m_Values.resize(static_cast<std::size_t>(bytes / sizeof(float)));
+    *this = {};
+    m_Values.reset(new float[static_cast<std::size_t>(bytes / sizeof(float))]);
+    m_NumberOfValues = static_cast<std::size_t>(bytes / sizeof(float));
   }
   m_Box = box;
 }
@@ -92,8 +93,8 @@ MedialVoxelGray::CopyRows(const MedialVoxelGray & source, const MedialVoxelBox &
   {
     for (std::int64_t y = shared.lower[1]; y < shared.upper[1]; ++y)
     {
-      const float * const row = source.m_Values.data() + source.OffsetOf(shared.lower[0], y, z);
-      std::copy(row, row + shared.Extent(0), m_Values.data() + this->OffsetOf(shared.lower[0], y, z));
+      const float * const row = source.m_Values.get() + source.OffsetOf(shared.lower[0], y, z);
+      std::copy(row, row + shared.Extent(0), m_Values.get() + this->OffsetOf(shared.lower[0], y, z));
     }
   }
 }
