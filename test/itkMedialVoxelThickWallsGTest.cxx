@@ -12,6 +12,8 @@
 #include <functional>
 #include <optional>
 #include <stdexcept>
+#include <thread>
+#include <vector>
 
 using namespace MedialVoxelTest;
 
@@ -21,6 +23,31 @@ namespace
 using Grid = itk::MedialVoxelGrid;
 using Index = itk::MedialVoxelIndex;
 using IsObject = std::function<bool(const Index &)>;
+using RunWorkers = itk::MedialVoxelThickWalls::RunWorkersFunction;
+
+void
+RunOneByOne(const unsigned int number, const std::function<void()> & work)
+{
+  for (unsigned int i = 0; i < number; ++i)
+  {
+    work();
+  }
+}
+
+void
+RunInThreads(const unsigned int number, const std::function<void()> & work)
+{
+  std::vector<std::thread> threads;
+  for (unsigned int i = 1; i < number; ++i)
+  {
+    threads.emplace_back(work);
+  }
+  work();
+  for (std::thread & thread : threads)
+  {
+    thread.join();
+  }
+}
 
 /** Looks at an object in boxes of so many rows. */
 std::optional<double>
@@ -29,7 +56,8 @@ FindNeededMaximum(
   const double                  maximum,
   const IsObject &              isObject,
   const std::int64_t            rows = 32,
-  const std::function<void()> & checkAbort = [] {})
+  const std::function<void()> & checkAbort = [] {},
+  const RunWorkers &            runWorkers = RunOneByOne)
 {
   const itk::MedialVoxelBox  image = grid.GetVoxelBox();
   itk::MedialVoxelBits       object(image);
@@ -49,7 +77,7 @@ FindNeededMaximum(
     box.upper[1] = std::min(box.lower[1] + rows, image.upper[1]);
     walls.Add(object, box);
   }
-  return walls.FindNeededMaximum(checkAbort);
+  return walls.FindNeededMaximum(checkAbort, runWorkers);
 }
 
 /** The volume of a hollow box whose walls all have one thickness. */
@@ -125,6 +153,7 @@ TEST(MedialVoxelThickWalls, DependOnNothingElse)
   for (const std::int64_t rows : { 4, 8, 32, 64 })
   {
     EXPECT_EQ(FindNeededMaximum(grid, 16.0, isObject, rows), found) << rows;
+    EXPECT_EQ(FindNeededMaximum(grid, 16.0, isObject, rows, [] {}, RunInThreads), found) << rows;
   }
 }
 

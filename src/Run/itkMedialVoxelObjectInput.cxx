@@ -191,7 +191,9 @@ MedialVoxelObjectInput::ExamineObject(const bool measuresRoughness, const Observ
   }
   if (walls)
   {
-    m_NeededMaximum = walls->FindNeededMaximum([&observer] { observer(1.0); });
+    m_NeededMaximum = walls->FindNeededMaximum([&observer] { observer(1.0); }, [&source](const auto number, const auto & work) {
+      source.ForEach(MedialVoxelValueSource::Boxes(number), 0, [&work](const auto &) { work(); });
+    });
   }
 }
 

@@ -9,7 +9,10 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <exception>
+#include <mutex>
+#include <numeric>
 #include <vector>
 
 namespace itk
@@ -74,22 +77,32 @@ CountRow(const WordType * row, const std::int64_t words, const std::int64_t step
   }
 }
 
+/** Threads that work on the coarse object, which is small; more would want smaller tiles. */
+constexpr unsigned int MostWorkers = 4;
+
 /** \class WallAreas
- * \brief Takes the walls of a run in the calling thread: their area by thickness. */
+ * \brief Takes the walls of a run: their area by thickness, in whole numbers, whose sums have no order. */
 class WallAreas : public MedialVoxelEngineClient
 {
 public:
-  /** \param binWidth of thickness */
-  WallAreas(const double binWidth, const std::size_t numberOfBins, const std::function<void()> & checkAbort)
+  /** \param binWidth of thickness
+   * \param face     area of a face of a voxel */
+  WallAreas(const double                                      binWidth,
+            const std::size_t                                 numberOfBins,
+            const double                                      face,
+            const std::function<void()> &                     checkAbort,
+            const MedialVoxelThickWalls::RunWorkersFunction & runWorkers)
     : m_BinWidth(binWidth)
+    , m_Scale(UnitsOfFace / face)
     , m_Areas(numberOfBins)
     , m_CheckAbort(checkAbort)
+    , m_RunWorkers(runWorkers)
   {}
 
   void
-  RunWorkers(unsigned int, const std::function<void()> & work) override
+  RunWorkers(const unsigned int numberOfWorkers, const std::function<void()> & work) override
   {
-    work();
+    m_RunWorkers(numberOfWorkers, work);
   }
 
   void
@@ -99,13 +112,15 @@ public:
     {
       return;
     }
+    const std::lock_guard<std::mutex> lock(m_Mutex);
     for (const MedialVoxelWall & wall : *tile.walls)
     {
       const auto bin = static_cast<std::size_t>(static_cast<double>(wall.thickness) / m_BinWidth);
       if (wall.IsMeasured())
       {
-        m_Total += static_cast<double>(wall.area);
-        bin < m_Areas.size() ? m_Areas[bin] += static_cast<double>(wall.area) : 0.0;
+        const std::int64_t area = std::llround(static_cast<double>(wall.area) * m_Scale);
+        m_Total += area;
+        bin < m_Areas.size() ? m_Areas[bin] += area : 0;
       }
     }
   }
@@ -138,36 +153,37 @@ public:
     double volume = 0.0;
     for (std::size_t bin = first; bin < m_Areas.size(); ++bin)
     {
-      area += m_Areas[bin];
-      volume += m_Areas[bin] * (static_cast<double>(bin) + 0.5) * m_BinWidth;
+      const auto ofBin = static_cast<double>(m_Areas[bin]);
+      area += ofBin;
+      volume += ofBin / m_Scale * (static_cast<double>(bin) + 0.5) * m_BinWidth;
     }
-    return area > 0.0 && area >= EnoughArea * m_Total && volume >= EnoughVolume * objectVolume;
+    return area > 0.0 && area >= EnoughArea * static_cast<double>(m_Total) && volume >= EnoughVolume * objectVolume;
   }
 
   /** The thickness below which this share of the area is. */
   double
   GetQuantile(const double share) const
   {
-    double left = 0.0;
-    for (const double area : m_Areas)
-    {
-      left += area;
-    }
-    left *= share;
+    double left = share * static_cast<double>(std::accumulate(m_Areas.begin(), m_Areas.end(), std::int64_t{ 0 }));
     std::size_t bin = 0;
-    for (; bin + 1 < m_Areas.size() && left > m_Areas[bin]; ++bin)
+    for (; bin + 1 < m_Areas.size() && left > static_cast<double>(m_Areas[bin]); ++bin)
     {
-      left -= m_Areas[bin];
+      left -= static_cast<double>(m_Areas[bin]);
     }
     return static_cast<double>(bin + 1) * m_BinWidth;
   }
 
 private:
-  double                     m_BinWidth;
-  double                     m_Total{ 0.0 };
-  std::vector<double>        m_Areas;
-  std::function<void()>      m_CheckAbort;
-  mutable std::exception_ptr m_Abort;
+  static constexpr double UnitsOfFace = 1 << 20;
+
+  double                                    m_BinWidth;
+  double                                    m_Scale;
+  std::mutex                                m_Mutex;
+  std::int64_t                              m_Total{ 0 };
+  std::vector<std::int64_t>                 m_Areas;
+  std::function<void()>                     m_CheckAbort;
+  MedialVoxelThickWalls::RunWorkersFunction m_RunWorkers;
+  mutable std::exception_ptr                m_Abort;
 };
 
 } // namespace
@@ -237,7 +253,7 @@ MedialVoxelThickWalls::Fill(const MedialVoxelBox & box, const MedialVoxelTargets
 }
 
 std::optional<double>
-MedialVoxelThickWalls::FindNeededMaximum(const std::function<void()> & checkAbort)
+MedialVoxelThickWalls::FindNeededMaximum(const std::function<void()> & checkAbort, const RunWorkersFunction & runWorkers)
 {
   if (m_Grid.GetNumberOfActiveAxes() < 2)
   {
@@ -256,11 +272,13 @@ MedialVoxelThickWalls::FindNeededMaximum(const std::function<void()> & checkAbor
   extraction.measuresThickness = true;
   MedialVoxelEngineSettings engine;
   engine.task = extraction;
+  engine.numberOfWorkers = MostWorkers;
 
   // Edges are rounded by half a coarse voxel.
   constexpr double binsPerStep = 4.0;
   const double     binWidth = step / binsPerStep;
-  WallAreas        walls(binWidth, static_cast<std::size_t>((most + step / 2.0) / binWidth), checkAbort);
+  const auto       numberOfBins = static_cast<std::size_t>((most + step / 2.0) / binWidth);
+  WallAreas        walls(binWidth, numberOfBins, step * step, checkAbort, runWorkers);
   const auto       sums = MedialVoxelEngine(m_Grid, engine).Run(m_Grid.GetVoxelBox(), *this, walls);
   double           voxel = 1.0;
   for (unsigned int axis = 0; axis < 3; ++axis)

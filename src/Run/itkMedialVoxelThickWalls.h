@@ -25,6 +25,8 @@ namespace itk
 class MedialVoxel_EXPORT MedialVoxelThickWalls : private MedialVoxelObjectSource
 {
 public:
+  using RunWorkersFunction = std::function<void(unsigned int, const std::function<void()> &)>;
+
   /** \param grid    of the image
    * \param maximum thickness of walls that need nothing, in the units of the spacing */
   MedialVoxelThickWalls(const MedialVoxelGrid & grid, double maximum);
@@ -43,11 +45,18 @@ public:
   /** The thickness that 99 % of the walls do not exceed, where walls thicker than the maximum are a quarter of all
    * walls or more by area, and a fifth of the object or more by volume. Walls thicker than twice the maximum do not
    * count: they would cost too much. Call it once all blocks are there.
-   * \param checkAbort called now and then; may throw to abort */
+   * \param checkAbort called now and then by the calling thread; may throw to abort
+   * \param runWorkers runs a function so many times, in the calling thread and in others; results do not depend on it */
   std::optional<double>
-  FindNeededMaximum(const std::function<void()> & checkAbort);
+  FindNeededMaximum(const std::function<void()> & checkAbort, const RunWorkersFunction & runWorkers);
 
 private:
+  MedialVoxelSourceThreads
+  GetSourceThreads() const override
+  {
+    return MedialVoxelSourceThreads::Several;
+  }
+
   void
   Fill(const MedialVoxelBox & box, const MedialVoxelTargets & targets) override;
 
