@@ -14,9 +14,11 @@ Usage: bench/measure_tiles.py BUILD [--data FOLDER] [--output results/tiles.json
 import argparse
 import json
 import pathlib
+import re
 import statistics
 import sys
 import tempfile
+import zlib
 
 import core_times
 import run_benchmarks as common
@@ -35,6 +37,8 @@ TASKS = {
 }
 # Files of the folder of data, and the objects in them.
 SCANS = {"engine": ("engine.mha", "72"), "shell": ("shell.nrrd", "65"), "cranium": ("cranium.mha", "200")}
+# The engine and its mirror images along each axis: as dense, and eight times as large.
+ENGINES = "eight engines"
 # Kinds of medialvoxel-phantom, and their sizes.
 PHANTOMS = {"gyroid": "256,256,256", "side-frame": "708,965,325", "solids": "512,512,512"}
 
@@ -77,7 +81,7 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=pathlib.Path, help="build folder")
     parser.add_argument("--data", type=pathlib.Path, help="folder of engine.mha, shell.nrrd and cranium.mha; default: phantoms alone")
-    parser.add_argument("--volumes", nargs="+", choices=[*SCANS, *PHANTOMS], help="default: all that there are")
+    parser.add_argument("--volumes", nargs="+", choices=[*SCANS, ENGINES, *PHANTOMS], help="default: all that there are")
     parser.add_argument("--tasks", nargs="+", choices=TASKS, default=list(TASKS), help="default: all")
     parser.add_argument("--threads", nargs="+", type=int, default=list(THREADS), help="with 1; default: 1 to 64")
     parser.add_argument("--size", help="X,Y,Z instead of the sizes of the phantoms, to try the script")
@@ -86,13 +90,30 @@ def parse_arguments():
     return parser.parse_args()
 
 
+def mirror_engine(file, volume):
+    """Writes the engine beside itself, mirrored along x, y and z; returns its size."""
+    header, _, packed = file.read_bytes().partition(b"ElementDataFile = LOCAL\n")
+    width, height, depth = (int(n) for n in re.search(rb"DimSize = (\d+) (\d+) (\d+)", header).groups())
+    voxels = zlib.decompress(packed)
+    rows = [voxels[at : at + width] for at in range(0, len(voxels), width)]
+    rows = [row + row[::-1] for row in rows]
+    slices = [rows[at : at + height] for at in range(0, len(rows), height)]
+    slices = [part + part[::-1] for part in slices]
+    volume.write_bytes(b"".join(row for part in slices + slices[::-1] for row in part))
+    return f"{2 * width},{2 * height},{2 * depth}"
+
+
 def make_volume(arguments, folder, name):
     """Its file, and the options that say what is in it."""
     if name in SCANS:
         file, lower = SCANS[name]
         return str(arguments.data / file), ["--lower", lower]
-    size = arguments.size or PHANTOMS[name]
     volume = str(folder / "volume.raw")
+    if name == ENGINES:
+        file, lower = SCANS["engine"]
+        size = mirror_engine(arguments.data / file, pathlib.Path(volume))
+        return volume, ["--lower", lower, "--raw-size", size, "--raw-type", "uint8"]
+    size = arguments.size or PHANTOMS[name]
     common.run([common.find_program(arguments.build, "medialvoxel-phantom"), name, volume, "--size", size])
     return volume, ["--raw-size", size, "--raw-type", "uint8"]
 
@@ -134,7 +155,7 @@ def tell(volume, task, results):
 
 def main():
     arguments = parse_arguments()
-    names = arguments.volumes or [*(SCANS if arguments.data else ()), *PHANTOMS]
+    names = arguments.volumes or [*((*SCANS, ENGINES) if arguments.data else ()), *PHANTOMS]
     document = common.describe_run(arguments.build, rounds=arguments.rounds, volumes={})
     for name in names:
         with tempfile.TemporaryDirectory() as folder:
