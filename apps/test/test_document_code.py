@@ -37,6 +37,7 @@ NOT_RUN = (
     ("doc/how-to/numpy.md", "pip install ./python", "installs packages and builds"),
     ("doc/reference/platforms.md", "scripts/cross linux-arm64", "builds ITK for Arm, an hour"),
     ("doc/reference/platforms.md", "cd apps/test", "compares outputs of real volumes for minutes"),
+    ("doc/reference/platforms.md", "scripts/compilers", "installs six compilers"),
     ("doc/how-to/numpy.md", "scripts/build-numpy-wheel", "builds ITK and a wheel, half an hour"),
     ("doc/how-to/meshes-and-fem.md", "pip install meshio", "installs packages: python/test/test_check.py runs the check"),
     ("doc/how-to/jobs.md", "python3 python/medialvoxel_dask.py", "needs a Dask cluster: test_dask runs such jobs"),
