@@ -28,7 +28,7 @@ set_tests_properties(MedialVoxelPackageConsumer PROPERTIES FIXTURES_REQUIRED Med
 set(_alone "${PROJECT_BINARY_DIR}/alone")
 file(MAKE_DIRECTORY "${_alone}")
 foreach(_item IN ITEMS CMakeLists.txt itk-module.cmake include src test wrapping)
-  file(CREATE_LINK "${PROJECT_SOURCE_DIR}/${_item}" "${_alone}/${_item}" SYMBOLIC)
+  file(CREATE_LINK "${PROJECT_SOURCE_DIR}/${_item}" "${_alone}/${_item}" RESULT _linked SYMBOLIC)
 endforeach()
 add_test(NAME MedialVoxelAlone COMMAND "${CMAKE_COMMAND}" -G "${CMAKE_GENERATOR}" -S "${_alone}" -B "${_alone}/build"
                                        "-DITK_DIR=${ITK_DIR}" "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}" -DBUILD_TESTING=ON)
