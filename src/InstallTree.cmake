@@ -4,7 +4,6 @@
 # Builds the module against an installed ITK, which lacks ITK's own module macros: small stand-ins for two of them
 # let itk-module.cmake and src/CMakeLists.txt serve all ways to build.
 
-include(GNUInstallDirs)
 include(GenerateExportHeader)
 include(CMakePackageConfigHelpers)
 
@@ -18,14 +17,7 @@ if(PROJECT_IS_TOP_LEVEL AND NOT _multi_config AND NOT CMAKE_BUILD_TYPE)
 endif()
 option(BUILD_SHARED_LIBS "Build MedialVoxel as a shared library" ON)
 
-# Programs find the library beside themselves after an install to any prefix.
-if(APPLE)
-  set(_origin "@loader_path")
-else()
-  set(_origin "$ORIGIN")
-endif()
-file(RELATIVE_PATH _bin_to_lib "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
-set(CMAKE_INSTALL_RPATH "${_origin}/${_bin_to_lib}" "${_origin}")
+include("${CMAKE_CURRENT_LIST_DIR}/InstallPaths.cmake")
 
 # Stand-in for ITK's macro: records what itk-module.cmake declares.
 macro(itk_module name)

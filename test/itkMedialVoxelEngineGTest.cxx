@@ -6,6 +6,7 @@
 #include "MedialVoxelTestHardCases.h"
 #include "MedialVoxelTestKernels.h"
 #include "MedialVoxelTestRuns.h"
+#include "MedialVoxelTestThreads.h"
 
 #include "itkMedialVoxelEngine.h"
 #include "itkMedialVoxelProgress.h"
@@ -48,16 +49,7 @@ public:
   void
   RunWorkers(const unsigned int numberOfWorkers, const std::function<void()> & work) override
   {
-    std::vector<std::thread> others;
-    for (unsigned int i = 1; i < numberOfWorkers; ++i)
-    {
-      others.emplace_back(work);
-    }
-    work();
-    for (std::thread & other : others)
-    {
-      other.join();
-    }
+    RunInThreads(numberOfWorkers, work);
   }
 
   void

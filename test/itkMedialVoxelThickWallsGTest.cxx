@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "MedialVoxelTestRuns.h"
+#include "MedialVoxelTestThreads.h"
 
 #include "itkMedialVoxelThickWalls.h"
 
@@ -12,8 +13,6 @@
 #include <functional>
 #include <optional>
 #include <stdexcept>
-#include <thread>
-#include <vector>
 
 using namespace MedialVoxelTest;
 
@@ -31,21 +30,6 @@ RunOneByOne(const unsigned int number, const std::function<void()> & work)
   for (unsigned int i = 0; i < number; ++i)
   {
     work();
-  }
-}
-
-void
-RunInThreads(const unsigned int number, const std::function<void()> & work)
-{
-  std::vector<std::thread> threads;
-  for (unsigned int i = 1; i < number; ++i)
-  {
-    threads.emplace_back(work);
-  }
-  work();
-  for (std::thread & thread : threads)
-  {
-    thread.join();
   }
 }
 

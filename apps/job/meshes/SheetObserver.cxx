@@ -11,7 +11,8 @@ namespace medialvoxel
 namespace
 {
 
-/** Bytes of cells that wait for their piece, for each of its voxels: one cell for each 8 is more than there are. */
+/** Bytes of cells that wait for their piece, for each of its voxels: one cell for each 8 is more
+ * than most parts have. */
 constexpr std::uint64_t MostPending = 8;
 
 /** Planned number of cells in the slices being smoothed: cells of thin walls, of which some lie along the slices. */
